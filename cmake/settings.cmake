@@ -1,0 +1,17 @@
+# Warnings and sanitizers, for our own code only: third-party headers come from system folders.
+add_library(bead_settings INTERFACE)
+target_include_directories(bead_settings INTERFACE ${PROJECT_SOURCE_DIR}/src)
+target_compile_options(bead_settings INTERFACE
+  -Wall -Wextra -Wconversion -Wshadow -Werror -ffp-contract=off)
+if(BEAD_CHECK_EXPECTS)
+  target_compile_definitions(bead_settings INTERFACE BEAD_CHECK_EXPECTS)
+endif()
+if(BEAD_SANITIZE)
+  target_compile_options(bead_settings INTERFACE -fsanitize=${BEAD_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(bead_settings INTERFACE -fsanitize=${BEAD_SANITIZE})
+endif()
+
+find_program(CCACHE ccache)
+if(CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()

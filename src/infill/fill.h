@@ -1,0 +1,45 @@
+// Fills a region with lines: one file per pattern, one row per pattern in `patterns`.
+//
+//     const std::vector<Polyline> lines = rectilinear(region, {.spacing = 2.25, .angle = pi / 4});
+#pragma once
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "geom/polygon.h"
+
+namespace bead {
+
+struct FillOptions {
+    double spacing = 2;  // mm between neighbouring lines; other patterns lay about as much line per area
+    double angle = 0;    // rad, of the lines (of the curve's axes) from +X
+    double link = 1e9;   // mm, longest way along the region's edge by which the ends of two lines are joined
+};
+
+// `region` is where centre lines may run; every point of the result lies in it (to 1 µm).
+// Lines lie on a grid that is fixed in the plane, so that layers of the same angle and spacing stack.
+// An empty region, or one too small for the pattern, gives no lines.
+using Pattern = std::vector<Polyline> (*)(const Region& region, const FillOptions& options);
+
+std::vector<Polyline> rectilinear(const Region& region, const FillOptions& options);
+std::vector<Polyline> concentric(const Region& region, const FillOptions& options);
+std::vector<Polyline> hilbert(const Region& region, const FillOptions& options);
+std::vector<Polyline> archimedean(const Region& region, const FillOptions& options);
+std::vector<Polyline> octagram(const Region& region, const FillOptions& options);
+
+struct NamedPattern {
+    std::string_view name;
+    Pattern make;
+    bool has_direction;     // whether its lines mostly run one way, so that layers must cross
+    double symmetry;        // rad, turning by this gives the same family of lines (pi: lines)
+    std::string_view about; // for --help
+};
+inline constexpr std::array patterns{
+    NamedPattern{"rectilinear", rectilinear, true, pi, "straight lines, ends linked along the wall"},
+    NamedPattern{"concentric", concentric, false, 2 * pi, "copies of the outline, one inside the other"},
+    NamedPattern{"hilbert", hilbert, false, pi / 2, "Hilbert's curve: one line of short right-angled steps"},
+    NamedPattern{"archimedean", archimedean, false, 2 * pi, "a spiral of even pitch, in chords"},
+    NamedPattern{"octagram", octagram, false, pi / 4, "nested eight-pointed stars, joined"},
+};
+
+}  // namespace bead
