@@ -1,5 +1,6 @@
-// The one exception of the program. It is thrown where bad input enters (loaders, G-code, job files,
-// command line) and caught in main, which prints the message as one line and exits with the status.
+// The one exception of the program. It is thrown where bad input enters (loaders, G-code, job
+// files, command line) and caught in main, which prints the message as one line and exits with the
+// status.
 //
 //     throw Error("part.stl: 3 bytes are too few for a mesh; is the download complete?");
 #pragma once

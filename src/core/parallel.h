@@ -9,8 +9,8 @@
 
 namespace bead {
 
-// Calls body(0) … body(count - 1), on at most `threads` threads; 0 means as many as there are cores.
-// An exception in a body ends the loop and is rethrown here.
+// Calls body(0) … body(count - 1), on at most `threads` threads; 0 means as many as there are
+// cores. An exception in a body ends the loop and is rethrown here.
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
 
 }  // namespace bead

@@ -9,8 +9,8 @@ namespace {
 
 namespace cl = ClipperLib;
 
-constexpr double units_per_mm = 1e6;   // 1 nm
-constexpr double largest_mm = 4e6;     // Clipper's 64-bit range, with room for offsets
+constexpr double units_per_mm = 1e6;  // 1 nm
+constexpr double largest_mm = 4e6;    // Clipper's 64-bit range, with room for offsets
 constexpr double arc_tolerance = 2e-3 * units_per_mm;
 
 cl::IntPoint to_units(Vec2 p) {

@@ -1,4 +1,5 @@
-// Points and vectors in the plane and in space. Lengths are in mm, angles in rad, counter-clockwise.
+// Points and vectors in the plane and in space. Lengths are in mm, angles in rad,
+// counter-clockwise.
 #pragma once
 #include <cmath>
 #include <numbers>

@@ -6,18 +6,18 @@
 namespace bead {
 
 struct Motor {
-    double standing = 0;       // W, winding loss while energised, moving or not
-    double per_speed = 0;      // W per mm/s of axis speed (iron loss, viscous friction)
-    double friction = 0;       // N, constant friction of the axis
-    double moving_mass = 0;    // kg, all that the axis carries, rotor included
-    double efficiency = 1;     // mechanical, from electrical input above standing to motion
+    double standing = 0;     // W, winding loss while energised, moving or not
+    double per_speed = 0;    // W per mm/s of axis speed (iron loss, viscous friction)
+    double friction = 0;     // N, constant friction of the axis
+    double moving_mass = 0;  // kg, all that the axis carries, rotor included
+    double efficiency = 1;   // mechanical, from electrical input above standing to motion
 };
 
 struct HotEnd {
-    double heater = 0;             // W, most it can draw
-    double capacity = 0;           // J/K
-    double resistance_still = 0;   // K/W to ambient, fan off
-    double resistance_blown = 0;   // K/W to ambient, fan full
+    double heater = 0;            // W, most it can draw
+    double capacity = 0;          // J/K
+    double resistance_still = 0;  // K/W to ambient, fan off
+    double resistance_blown = 0;  // K/W to ambient, fan full
 };
 
 struct BedHeater {
@@ -27,13 +27,13 @@ struct BedHeater {
 };
 
 struct PowerModel {
-    double electronics = 0;       // W: board, display, sensors; always
-    double part_fan = 0;          // W at full duty
-    double hotend_fan = 0;        // W, runs while the hot end is warm
-    double supply_efficiency = 1; // low-voltage power / wall power
-    double ambient = 25;          // °C
-    double grid_co2 = 0;          // g per kWh of wall energy
-    std::array<Motor, 4> motors;  // X, Y, Z (all its motors together), E
+    double electronics = 0;        // W: board, display, sensors; always
+    double part_fan = 0;           // W at full duty
+    double hotend_fan = 0;         // W, runs while the hot end is warm
+    double supply_efficiency = 1;  // low-voltage power / wall power
+    double ambient = 25;           // °C
+    double grid_co2 = 0;           // g per kWh of wall energy
+    std::array<Motor, 4> motors;   // X, Y, Z (all its motors together), E
     HotEnd hotend;
     BedHeater bed;
 };

@@ -13,9 +13,9 @@ namespace bead {
 struct Block {
     std::int64_t line = 0;
     Role role = Role::travel;
-    Bead bead;                  // as far as it is known
-    PerAxis<double> delta{};    // mm, signed, in whole steps
-    double length = 0;          // mm
+    Bead bead;                                                  // as far as it is known
+    PerAxis<double> delta{};                                    // mm, signed, in whole steps
+    double length = 0;                                          // mm
     double v_nominal = 0, v_entry = 0, v_peak = 0, v_exit = 0;  // mm/s
     double acceleration = 0;                                    // mm/s²
     double t_accel = 0, t_cruise = 0, t_decel = 0;              // s
@@ -25,7 +25,8 @@ constexpr double duration(const Block& block) {
     return block.t_accel + block.t_cruise + block.t_decel;
 }
 
-// In the order in which the machine does it. A Dwell lasts; heaters, fans and layers change at once.
+// In the order in which the machine does it. A Dwell lasts; heaters, fans and layers change at
+// once.
 using MotionEvent = std::variant<Block, Dwell, SetHeat, SetFan, LayerStart>;
 using MotionSink = std::function<void(const MotionEvent&)>;
 

@@ -1,6 +1,7 @@
 // What a machine is told, one command at a time: the common form of our own plans and of anybody's
-// G-code. Motion is simulated from these and G-code is written from these, so that what is judged is
-// what is printed. Positions are absolute mm in the frame that SetPosition (G92) leaves; speeds mm/s.
+// G-code. Motion is simulated from these and G-code is written from these, so that what is judged
+// is what is printed. Positions are absolute mm in the frame that SetPosition (G92) leaves; speeds
+// mm/s.
 //
 //     const CommandSink count = [&](const Command& command) { ++commands; };
 //     read_gcode(file, {}, count);
@@ -28,12 +29,12 @@ struct Move {  // G0, G1: a straight line, all axes together
     Bead bead;  // as far as it is known; 0 if not
 };
 struct SetPosition {  // G92: the machine stands still and calls its place by other numbers
-    PerAxis<std::optional<double>> to;
+    PerAxis<std::optional<double>> to{};
 };
 struct Home {  // G28: the named axes stand at 0 afterwards
     std::array<bool, 3> axes{true, true, true};
 };
-struct Dwell {  // G4
+struct Dwell {            // G4
     double duration = 0;  // s
 };
 struct Drain {};  // M400: wait until all moves are done
@@ -43,12 +44,12 @@ struct SetHeat {  // M104, M109, M140, M190
     double celsius = 0;
     bool wait = false;
 };
-struct SetFan {  // M106, M107
+struct SetFan {       // M106, M107
     double duty = 0;  // 0 … 1
 };
 struct SetLimits {  // M201, M203, M204, M205: only what is named changes
-    PerAxis<std::optional<double>> max_acceleration, max_feedrate, jerk;
-    std::optional<double> acceleration, retract_acceleration, travel_acceleration;
+    PerAxis<std::optional<double>> max_acceleration{}, max_feedrate{}, jerk{};
+    std::optional<double> acceleration{}, retract_acceleration{}, travel_acceleration{};
 };
 struct LayerStart {
     double z = 0;       // mm, top of the layer
@@ -56,7 +57,8 @@ struct LayerStart {
 };
 
 struct Command {
-    std::variant<Move, SetPosition, Home, Dwell, Drain, SetHeat, SetFan, SetLimits, LayerStart> what;
+    std::variant<Move, SetPosition, Home, Dwell, Drain, SetHeat, SetFan, SetLimits, LayerStart>
+        what;
     std::int64_t line = 0;  // of the file it came from, from 1; 0: from no file
 };
 

@@ -43,16 +43,16 @@ constexpr double spacing(const Bead& bead) { return section(bead) / bead.height;
 
 struct Path {
     Role role = Role::travel;
-    Bead bead;                // of travel: none
-    double speed = 0;         // mm/s, asked for
-    double acceleration = 0;  // mm/s², asked for; 0: the printer's usual
-    bool retracted = false;   // travel with the filament pulled back
-    std::vector<Vec3> points; // z is the nozzle's height
+    Bead bead;                 // of travel: none
+    double speed = 0;          // mm/s, asked for
+    double acceleration = 0;   // mm/s², asked for; 0: the printer's usual
+    bool retracted = false;    // travel with the filament pulled back
+    std::vector<Vec3> points;  // z is the nozzle's height
 };
 
 using Toolpath = std::vector<Path>;  // in printing order, travel included
 
-double length(const Path& path);         // mm
-double volume(const Path& path);         // mm³ of plastic; 0 for travel
+double length(const Path& path);  // mm
+double volume(const Path& path);  // mm³ of plastic; 0 for travel
 
 }  // namespace bead
