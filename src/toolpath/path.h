@@ -27,6 +27,9 @@ inline constexpr std::string_view name_of(Role role) {
     return role_names[static_cast<std::size_t>(role)];
 }
 
+template <class T>
+using PerRole = std::array<T, role_names.size()>;
+
 // A deposited line is taken as a stadium: a rectangle with two half discs for its sides.
 struct Bead {
     double width = 0, height = 0;  // mm

@@ -1,0 +1,50 @@
+// What a stream of commands costs on a machine: time, motion, motors' features, energy. The same judge
+// hears our own plans and anybody's G-code.
+//
+//     Judge judge(machine);
+//     read_gcode(file, [&](const Command& command) { judge.add(command); });
+//     const Assessment cost = judge.finish();
+#pragma once
+#include "energy/meter.h"
+#include "energy/published.h"
+#include "machine/material.h"
+#include "machine/printer.h"
+#include "motion/prusa.h"
+#include "motion/totals.h"
+
+namespace bead {
+
+struct Machine {
+    Printer printer;
+    Material material;
+    PrusaOptions motion;
+};
+
+struct Assessment {
+    EnergyReport energy;
+    MotionTotals motion;
+    Features features;
+};
+
+class Judge {
+  public:
+    // `watch` is told every event too.
+    explicit Judge(const Machine& machine, MotionSink watch = {});
+    Judge(const Judge&) = delete;  // the planner reports to this very object
+    Judge& operator=(const Judge&) = delete;
+
+    void add(const Command& command) { planner_.add(command); }
+    Assessment finish();
+    [[nodiscard]] const Limits& limits() const { return planner_.limits(); }
+
+  private:
+    void hear(const MotionEvent& event);
+
+    EnergyMeter meter_;
+    MotionTotals totals_;
+    Features features_;
+    MotionSink watch_;
+    PrusaPlanner planner_;
+};
+
+}  // namespace bead
