@@ -1,5 +1,5 @@
-// What is wrong with a mesh, in numbers. None of it keeps a mesh from being sliced; all of it is worth
-// a warning.
+// What is wrong with a mesh, in numbers. None of it keeps a mesh from being sliced; all of it is
+// worth a warning.
 #pragma once
 #include "mesh/mesh.h"
 

@@ -1,5 +1,5 @@
-// A triangle mesh as plain arrays. Corners of a triangle are indices into `points`, counter-clockwise
-// seen from outside.
+// A triangle mesh as plain arrays. Corners of a triangle are indices into `points`,
+// counter-clockwise seen from outside.
 #pragma once
 #include <array>
 #include <vector>
@@ -15,7 +15,8 @@ struct Mesh {
 
 Box3 bounds(const Mesh& mesh);
 
-// Enclosed volume in mm³ by the divergence theorem: exact for a closed mesh, a guess for an open one.
+// Enclosed volume in mm³ by the divergence theorem: exact for a closed mesh, a guess for an open
+// one.
 double volume(const Mesh& mesh);
 
 // Turned by `angle` (rad, counter-clockwise) about the vertical axis, then moved by `shift`.

@@ -1,6 +1,6 @@
-// Mesh to layers. Each layer is the cut of the mesh by the plane half-way up the layer; the pieces of
-// that cut are chained through the mesh's own edges, so that a closed mesh gives closed outlines.
-// Outlines that stay open are closed where their ends nearly meet, and counted.
+// Mesh to layers. Each layer is the cut of the mesh by the plane half-way up the layer; the pieces
+// of that cut are chained through the mesh's own edges, so that a closed mesh gives closed
+// outlines. Outlines that stay open are closed where their ends nearly meet, and counted.
 //
 //     const Slices slices = slice(mesh, {.layer_height = 0.2});
 //     for (const Layer& layer : slices.layers) area(layer.region);
@@ -29,10 +29,11 @@ struct Layer {
 };
 
 struct Slices {
-    std::vector<Layer> layers;   // from the bottom; a layer inside a gap of the part has an empty region
-    long closed_outlines = 0;    // open outlines whose ends were joined
-    long dropped_outlines = 0;   // open outlines given up
-    double dropped_length = 0;   // mm
+    std::vector<Layer>
+        layers;  // from the bottom; a layer inside a gap of the part has an empty region
+    long closed_outlines = 0;   // open outlines whose ends were joined
+    long dropped_outlines = 0;  // open outlines given up
+    double dropped_length = 0;  // mm
 };
 
 // The last layer is the one whose middle is still below the top of the mesh.
