@@ -1,7 +1,7 @@
 // The published energy model of X and Y motors (D. K. Somade, thesis, Northern Illinois University
 // 2023, Eqs. 24-28): energy = kA·A + kB·B + kC·C + kH·H of four features of the motion.
-// Only for comparison with the publication: it charges standing still only to an axis that moves exactly
-// nothing, so tilting lines by a degree seems to save 15 % (see `standing_form`).
+// Only for comparison with the publication: it charges standing still only to an axis that moves
+// exactly nothing, so tilting lines by a degree seems to save 15 % (see `standing_form`).
 #pragma once
 #include "motion/block.h"
 
@@ -12,7 +12,8 @@ struct Features {
     double A = 0;  // (mm/s)², sum over X of r² [(v_peak² - v_entry²) + (v_peak² - v_exit²)] / 2
     double B = 0;  // (mm/s)², the same over Y
     double C = 0;  // mm, sum over X and Y of r · v_peak · t_cruise: axis distance at constant speed
-    double H = 0;  // s, sum over X and Y of the time in which the axis does not move, dwells not included
+    double H =
+        0;  // s, sum over X and Y of the time in which the axis does not move, dwells not included
     double axis_time = 0;  // s, of X plus of Y: twice the duration, dwells not included
 };
 
@@ -28,8 +29,13 @@ struct MotorCoefficients {
 
 double published_energy(const Features& features, const MotorCoefficients& k = {});  // J
 
-// The same four numbers without the loophole: each axis draws its standing power all the time, and what
-// coasting costs above that is what is left of kC at `usual_speed` (mm/s, of an axis). For searching.
+// The same four numbers without the loophole, for searching: each axis draws its standing power kH
+// all the time, and coasting costs on top of it what is left of kC at `usual_speed` u (mm/s, of an
+// axis):
+//     kC' = max(0, kC - kH / u),  so that  kH + kC'·u = kC·u: an axis that coasts at u costs as
+//     published.
+// It grows without a step as an axis begins to move, and slower means longer and therefore dearer.
+// kA and kB stay, so accelerating costs kH times its time more than published (15 % at 1000 mm/s²).
 double standing_form(const Features& features, const MotorCoefficients& k = {},
                      double usual_speed = 80);  // J
 

@@ -24,6 +24,13 @@ struct BedHeater {
     double heater = 0;      // W, most it can draw
     double capacity = 0;    // J/K
     double resistance = 0;  // K/W to ambient
+    bool mains = false;     // fed past the supply, without its losses
+};
+
+// How far the numbers of a consumer may be off: standard uncertainty as a fraction of its energy.
+struct PowerUncertainty {
+    double bed = 0, hotend = 0, motors = 0, fans = 0, electronics = 0;
+    double supply = 0;  // of the efficiency, common to all that the supply feeds
 };
 
 struct PowerModel {
@@ -36,6 +43,7 @@ struct PowerModel {
     std::array<Motor, 4> motors;   // X, Y, Z (all its motors together), E
     HotEnd hotend;
     BedHeater bed;
+    PowerUncertainty uncertainty;
 };
 
 }  // namespace bead
