@@ -1,5 +1,5 @@
-// What a stream of commands costs on a machine: time, motion, motors' features, energy. The same judge
-// hears our own plans and anybody's G-code.
+// What a stream of commands costs on a machine: time, motion, motors' features, energy. The same
+// judge hears our own plans and anybody's G-code.
 //
 //     Judge judge(machine);
 //     read_gcode(file, [&](const Command& command) { judge.add(command); });

@@ -1,5 +1,5 @@
-// A print as it will be made: the parts of its layers in their place on the bed, and for each layer what it
-// is filled with. Its commands come layer by layer, so memory is bounded by the layer.
+// A print as it will be made: the parts of its layers in their place on the bed, and for each layer
+// what it is filled with. Its commands come layer by layer, so memory is bounded by the layer.
 #pragma once
 #include <vector>
 
@@ -17,8 +17,8 @@ struct Print {
     ProgramOptions program;
 };
 
-// The layers turned by `rotation` (rad) about the part's middle, which then stands in the middle of the
-// bed.
+// The layers turned by `rotation` (rad) about the part's middle, which then stands in the middle of
+// the bed.
 std::vector<LayerParts> on_bed(std::span<const LayerParts> parts, double rotation,
                                const Printer& printer);
 

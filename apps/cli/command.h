@@ -1,0 +1,16 @@
+// What every subcommand offers to main: how to declare its options and what to do when it is
+// called.
+#pragma once
+#include <CLI/CLI.hpp>
+
+namespace bead::cli {
+
+void add_slice(CLI::App& app);
+void add_optimize(CLI::App& app);
+void add_simulate(CLI::App& app);
+void add_energy(CLI::App& app);
+void add_printers(CLI::App& app);
+void add_patterns(CLI::App& app);
+void add_config(CLI::App& app);
+
+}  // namespace bead::cli

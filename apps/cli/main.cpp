@@ -1,0 +1,66 @@
+// The command `beadwork`. Subcommands declare themselves, each in its own file; here errors become
+// one line and an exit status.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <csignal>
+#include <exception>
+#include <new>
+
+#include "command.h"
+#include "core/error.h"
+
+namespace {
+
+constexpr const char* about =
+    "Plans the path of every bead of a 3D print and knows, before anything is printed, what it "
+    "costs in\n"
+    "time and energy.\n\n"
+    "  beadwork optimize bracket.stl -o bracket.gcode     the print that costs least\n"
+    "  beadwork energy anybodys.gcode                     what a print will draw, by consumer";
+
+std::string one_line(std::string text) {
+    std::ranges::replace(text, '\n', ' ');
+    while (!text.empty() && text.back() == ' ') text.pop_back();
+    return text;
+}
+
+int fail(const std::string& message, bead::Fault fault) {
+    fmt::print(stderr, "beadwork: {}\n", one_line(message));
+    return static_cast<int>(fault);
+}
+
+int run(CLI::App& app, int argc, char** argv) {
+    try {
+        app.parse(argc, argv);
+        return 0;
+    } catch (const CLI::Success& help) {
+        return app.exit(help);
+    } catch (const CLI::ParseError& error) {
+        return fail(std::string(error.what()) + " (beadwork --help shows what there is)",
+                    bead::Fault::usage);
+    } catch (const bead::Error& error) {
+        return fail(error.what(), error.fault());
+    } catch (const std::bad_alloc&) {
+        return fail("not enough memory for this job", bead::Fault::other);
+    } catch (const std::exception& error) {
+        return fail(error.what(), bead::Fault::other);
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error of the write, not the end of us
+    CLI::App app{about, "beadwork"};
+    app.set_version_flag("--version", BEAD_VERSION);
+    app.require_subcommand(1);
+    bead::cli::add_slice(app);
+    bead::cli::add_optimize(app);
+    bead::cli::add_simulate(app);
+    bead::cli::add_energy(app);
+    bead::cli::add_printers(app);
+    bead::cli::add_patterns(app);
+    bead::cli::add_config(app);
+    return run(app, argc, argv);
+}

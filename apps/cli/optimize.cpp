@@ -1,0 +1,254 @@
+// beadwork optimize: the print of a part that costs least.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+
+#include "command.h"
+#include "core/error.h"
+#include "core/output_file.h"
+#include "energy/interval.h"
+#include "energy_table.h"
+#include "json_result.h"
+#include "part.h"
+#include "scene/layer_picture.h"
+#include "study/optimize.h"
+
+namespace bead::cli {
+namespace {
+
+struct Options {
+    std::string out, baseline_out, picture, patterns;
+    std::string goal = "machine-energy";
+    double angle_step_deg = 15;
+    ProcessOptions process;
+    MachineOptions machine;
+    OutputOptions output;
+};
+
+double degrees(double rad) { return rad * 180 / pi; }
+double percent_less(double before, double after) {
+    return before > 0 ? 100 * (1 - after / before) : 0;
+}
+
+Goal goal_of(const std::string& name) {
+    if (name == "time") return Goal::time;
+    return name == "xy-energy" ? Goal::xy_energy : Goal::machine_energy;
+}
+
+std::vector<NamedPattern> patterns_of(const std::string& list) {
+    std::vector<NamedPattern> chosen;
+    std::string rest = list + ",";
+    for (std::size_t comma = rest.find(','); !rest.empty(); comma = rest.find(',')) {
+        const std::string name = rest.substr(0, comma);
+        rest.erase(0, comma + 1);
+        const auto row = std::ranges::find(patterns, name, &NamedPattern::name);
+        if (row == patterns.end())
+            throw Error(
+                "--patterns: there is no pattern '" + name + "' (beadwork patterns lists them)",
+                Fault::usage);
+        chosen.push_back(*row);
+    }
+    return chosen;
+}
+
+OptimizeOptions search_options(const Options& options, const Settings& settings,
+                               const Console& console) {
+    OptimizeOptions search;
+    search.goal = goal_of(options.goal);
+    if (!options.patterns.empty()) search.patterns = patterns_of(options.patterns);
+    search.angle_step = options.angle_step_deg * pi / 180;
+    search.baseline_rotation = settings.rotate;
+    if (options.process.by_option.contains("rotate_deg")) search.rotation = settings.rotate;
+    search.threads = options.process.threads;
+    search.progress = progress_on(console);
+    return search;
+}
+
+// How often each pattern and angle was chosen: {"rectilinear", 45°} -> 12 layers.
+std::map<std::pair<std::string, long>, long> tally(const std::vector<FillChoice>& choices) {
+    std::map<std::pair<std::string, long>, long> counts;
+    for (const FillChoice& choice : choices)
+        ++counts[{std::string(choice.pattern.name), std::lround(degrees(choice.angle))}];
+    return counts;
+}
+
+// The layer whose choice is most common among those with sparse infill; it shows what was chosen.
+std::size_t telling_layer(const Optimum& best) {
+    std::size_t layer = best.chosen.parts.size() / 2;
+    double most = -1;
+    for (std::size_t i = 0; i < best.chosen.parts.size(); ++i) {
+        double sparse = 0;
+        for (const Island& island : best.chosen.parts[i].islands)
+            for (const FillArea& fill : island.fills)
+                if (fill.role == Role::infill) sparse += area(fill.material);
+        if (sparse > most) {
+            most = sparse;
+            layer = i;
+        }
+    }
+    return layer;
+}
+
+Toolpath toolpath_of(const Print& print, std::size_t layer) {
+    return plan_layer(print.parts[layer], print.choices[layer], print.lines, print.plan,
+                      {print.parts[layer].centre});
+}
+
+Panel panel(const std::string& title, const Print& print, const Assessment& cost,
+            std::size_t layer) {
+    const LayerEnergy& energy = cost.energy.by_layer.at(layer);
+    return {title, toolpath_of(print, layer),
+            fmt::format("this layer: {}, {:.2f} Wh", spoken_time(energy.duration),
+                        energy.total / 3600)};
+}
+
+void write_picture(const std::string& file, const Optimum& best) {
+    const std::size_t layer = telling_layer(best);
+    const std::array panels{panel("before", best.baseline, best.baseline_cost, layer),
+                            panel("after", best.chosen, best.chosen_cost, layer)};
+    OutputFile out(file);
+    out.stream() << layer_picture(
+        panels, fmt::format("Layer {} of {}, z = {:.2f} mm", layer + 1, best.chosen.parts.size(),
+                            best.chosen.parts[layer].z));
+    out.keep();
+}
+
+void print_text(const Console& console, const Options& options, const Machine& machine,
+                const Optimum& best) {
+    const Assessment &a = best.baseline_cost, &b = best.chosen_cost;
+    const double before = total(a.energy.energy), after = total(b.energy.energy);
+    const PlanOptions& plan = best.baseline.plan;
+    console.say("{}: {} layers on {}\n", options.process.model, best.chosen.parts.size(),
+                printer_label(options.machine));
+    console.say("searched {} combinations of turn, pattern and angle; simulated {} layers\n\n",
+                best.candidates, best.evaluated);
+    console.say("  {:<22} {:>12} {:>12} {:>10}\n", "", "baseline", "chosen", "change");
+    console.say("  {:<22} {:>12} {:>12} {:>+8.1f} %\n", "printing time",
+                spoken_time(a.motion.duration), spoken_time(b.motion.duration),
+                -percent_less(a.motion.duration, b.motion.duration));
+    console.say("  {:<22} {:>9.2f} Wh {:>9.2f} Wh {:>+8.1f} %\n", "energy from the wall",
+                before / 3600, after / 3600, -percent_less(before, after));
+    print_comparison(console, a.energy.energy, b.energy.energy);
+    console.say("  {:<22} {:>9.2f} kJ {:>9.2f} kJ {:>+8.1f} %\n", "X and Y motors (*)",
+                standing_form(a.features) / 1000, standing_form(b.features) / 1000,
+                -percent_less(standing_form(a.features), standing_form(b.features)));
+    console.say("  {:<22} {:>10.1f} g {:>10.1f} g {:>+8.1f} %\n", "filament",
+                grams(a.motion.extruded, machine), grams(b.motion.extruded, machine),
+                -percent_less(a.motion.extruded, b.motion.extruded));
+    console.say("  (*) thesis coefficients, with standing power charged all the time\n\n");
+    console.say(
+        "baseline: {} at {:.0f} degrees, alternating by 90; part turned by {:.0f} degrees\n",
+        plan.pattern.name, degrees(plan.angle), degrees(best.baseline_rotation));
+    console.say("chosen:   part turned by {:.1f} degrees; layers by pattern and angle:\n",
+                degrees(best.rotation));
+    for (const auto& [choice, count] : tally(best.chosen.choices))
+        console.say("          {:>5} x {} at {} degrees\n", count, choice.first, choice.second);
+    const double saved = before - after;
+    console.say("\n{}\n",
+                saved > 0
+                    ? console.good(fmt::format("saved: {:.1f} Wh ({:.1f} %) and {}", saved / 3600,
+                                               percent_less(before, after),
+                                               spoken_time(a.motion.duration - b.motion.duration)))
+                    : std::string("nothing cheaper was found; the baseline was kept"));
+}
+
+Json cost_json(const Assessment& cost, const Machine& machine) {
+    Json json = {{"time_s", cost.motion.duration},
+                 {"filament_mm", cost.motion.extruded},
+                 {"filament_g", grams(cost.motion.extruded, machine)}};
+    json.update(energy_json(cost, machine.printer.power));
+    return json;
+}
+
+Json json_of(const Options& options, const Machine& machine, const Optimum& best) {
+    const Assessment &a = best.baseline_cost, &b = best.chosen_cost;
+    Json chosen = {{"rotation_deg", degrees(best.rotation)}};
+    chosen.update(cost_json(b, machine));
+    Json layers = Json::array();
+    for (std::size_t i = 0; i < best.chosen.parts.size(); ++i)
+        layers.push_back({{"z_mm", best.chosen.parts[i].z},
+                          {"pattern", best.chosen.choices[i].pattern.name},
+                          {"angle_deg", degrees(best.chosen.choices[i].angle)}});
+    chosen["layers"] = layers;
+    Json baseline = {{"rotation_deg", degrees(best.baseline_rotation)},
+                     {"pattern", best.baseline.plan.pattern.name},
+                     {"angle_deg", degrees(best.baseline.plan.angle)}};
+    baseline.update(cost_json(a, machine));
+
+    Json result = result_head("optimize", {options.process.model});
+    result["output"] = options.out;
+    result["minimize"] = options.goal;
+    result["baseline"] = baseline;
+    result["chosen"] = chosen;
+    result["candidates"] = best.candidates;
+    result["evaluated"] = best.evaluated;
+    result["saving_percent"] = {
+        {"machine_energy", percent_less(total(a.energy.energy), total(b.energy.energy))},
+        {"xy_energy", percent_less(standing_form(a.features), standing_form(b.features))},
+        {"time", percent_less(a.motion.duration, b.motion.duration)},
+        {"filament", percent_less(a.motion.extruded, b.motion.extruded)}};
+    return result;
+}
+
+void optimize_part(const Options& options) {
+    const Console console = console_of(options.output);
+    const Machine machine = machine_of(options.machine);
+    const Settings settings = settings_of(options.process, console);
+    const OptimizeOptions search = search_options(options, settings, console);
+    const std::vector<LayerParts> parts = parts_from(options.process, settings, console);
+    const Optimum best =
+        optimize(parts, settings.plan, program_options(settings, machine), machine, search);
+
+    if (!options.baseline_out.empty())
+        write_print(options.baseline_out, best.baseline, machine, settings.relative_e,
+                    options.process.model + ", as told");
+    if (!options.picture.empty()) write_picture(options.picture, best);
+    write_print(options.out, best.chosen, machine, settings.relative_e,
+                options.process.model + ", least " + options.goal);
+    print_text(console, options, machine, best);
+    write_result(options.output.json, json_of(options, machine, best));
+}
+
+}  // namespace
+
+void add_optimize(CLI::App& app) {
+    const auto options = std::make_shared<Options>();
+    CLI::App& command =
+        *app.add_subcommand("optimize", "the main job: the print of a part that costs least");
+    command.footer(
+        "Turns the part, and chooses for each layer the pattern of its infill and the angle of "
+        "its\n"
+        "lines, so that the whole print costs least; walls, solid layers, density and speeds stay "
+        "as\n"
+        "told. Prints what that saves beside the same print without the search.\n\n"
+        "Example:\n"
+        "  beadwork optimize bracket.stl -o bracket.gcode --picture bracket.svg --json "
+        "bracket.json");
+    declare(command, options->process);
+    command.add_option("-o,--output", options->out, "G-code to write")
+        ->type_name("OUT.gcode")
+        ->required();
+    command.add_option("--minimize", options->goal, "what is to be least")
+        ->check(CLI::IsMember({"machine-energy", "xy-energy", "time"}))
+        ->capture_default_str();
+    command
+        .add_option("--patterns", options->patterns,
+                    "to choose from, comma-separated; all if not given")
+        ->type_name("LIST");
+    command
+        .add_option("--angle-step", options->angle_step_deg,
+                    "between angles that are tried, degrees")
+        ->check(CLI::Range(1.0, 90.0))
+        ->capture_default_str();
+    command.add_option("--picture", options->picture, "draw a layer before and after")
+        ->type_name("OUT.svg");
+    command
+        .add_option("--baseline", options->baseline_out, "write the print without the search too")
+        ->type_name("OUT.gcode");
+    declare(command, options->machine);
+    declare(command, options->output);
+    command.callback([options] { optimize_part(*options); });
+}
+
+}  // namespace bead::cli

@@ -1,0 +1,36 @@
+// What one layer costs by itself, for choosing between ways to fill it: planned, made into
+// commands, simulated from a standstill in the middle of the bed with everything warm, and charged.
+#pragma once
+#include "study/judge.h"
+#include "study/optimize.h"
+#include "study/print.h"
+
+namespace bead {
+
+// How layers are judged: all that does not change between candidates.
+struct Jury {
+    const Machine& machine;
+    const PlanOptions& plan;
+    const ProgramOptions& program;
+    const FillSpacing& lines;
+    Goal goal = Goal::machine_energy;
+};
+
+// In the unit of value_of(goal).
+double layer_cost(const LayerParts& layer, const FillChoice& choice, const Jury& jury);
+
+// Layers that are the same but for their height above the bed are judged once.
+struct LayerClass {
+    std::size_t example = 0;           // the first of them
+    std::vector<std::size_t> members;  // all of them, rising
+};
+std::vector<LayerClass> alike_layers(std::span<const LayerParts> parts);
+
+// Whether the layer has lines that run mostly one way when it is filled like this.
+bool has_direction(const LayerParts& layer, const NamedPattern& pattern);
+
+// Whether the choice's angle and pattern are worth trying on this layer, or another one gives the
+// same.
+bool is_distinct(const LayerParts& layer, const FillChoice& choice);
+
+}  // namespace bead
