@@ -1,0 +1,18 @@
+// Bytes from a stream or from a file, gzipped or not, a piece at a time.
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <istream>
+#include <span>
+
+namespace bead {
+
+// Fills some of the place from its start and returns how much; 0 at the end.
+using TextSource = std::function<std::size_t(std::span<char> place)>;
+
+TextSource stream_source(std::istream& text);  // the stream must outlive the source
+// Throws Error here or later when the file cannot be read.
+TextSource file_source(const std::filesystem::path& file);
+
+}  // namespace bead
