@@ -21,12 +21,17 @@ namespace {
 constexpr int batch_size = 128;
 constexpr int block_size = 8;
 
-double middle(const Layer& layer) { return layer.z - layer.height / 2; }
+// Where a layer is cut: half-way up, and a hair more. Designed parts have flat faces at round heights,
+// many of them exactly half-way up a layer; without the hair, rounding would decide for each.
+double cut_height(const Layer& layer) {
+    constexpr double hair = 1e-5;  // mm; more than rounding to float moves a point
+    return layer.z - layer.height / 2 + hair;
+}
 
 std::vector<Layer> empty_layers(double height, const SliceOptions& options) {
     std::vector<Layer> layers;
     Layer next{options.first_layer_height, options.first_layer_height, {}};
-    while (middle(next) < height) {
+    while (cut_height(next) < height) {
         layers.push_back(next);
         const auto above_first = static_cast<double>(layers.size());
         next.z = options.first_layer_height + above_first * options.layer_height;
@@ -134,7 +139,7 @@ Slices slice(const Mesh& mesh, const SliceOptions& options) {
     slices.layers = empty_layers(box.size().z, options);
 
     std::vector<double> planes;
-    for (const Layer& layer : slices.layers) planes.push_back(box.low.z + middle(layer));
+    for (const Layer& layer : slices.layers) planes.push_back(box.low.z + cut_height(layer));
     std::vector<Outcome> made = outcomes(mesh, planes, options);
     for (std::size_t i = 0; i < made.size(); ++i) {
         slices.layers[i].region = std::move(made[i].region);

@@ -36,7 +36,8 @@ struct Slices {
     double dropped_length = 0;  // mm
 };
 
-// The last layer is the one whose middle is still below the top of the mesh.
+// The last layer is the one whose middle is still below the top of the mesh. A flat face exactly
+// half-way up a layer counts as below the cut.
 Slices slice(const Mesh& mesh, const SliceOptions& options);
 
 }  // namespace bead
