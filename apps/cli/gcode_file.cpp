@@ -17,7 +17,7 @@ void warn_about(const GcodeReport& file, const std::string& name, const Console&
 
 JudgedFile judge_file(const std::string& file, const MachineOptions& options,
                       const Console& console, const MotionSink& watch) {
-    JudgedFile judged{.machine = machine_of(options), .limits_source = printer_label(options)};
+    JudgedFile judged{machine_of(options), printer_label(options)};
     judged.slicer_estimate = slicer_estimate(file);
     if (const auto noted = slicer_limits(file); noted && options.printer.empty()) {
         Limits& limits = judged.machine.printer.limits;

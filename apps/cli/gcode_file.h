@@ -9,10 +9,10 @@ namespace bead::cli {
 
 struct JudgedFile {
     Machine machine;  // as the print began
-    Assessment cost;
-    GcodeReport file;
     std::string limits_source;
-    std::optional<double> slicer_estimate;  // s
+    Assessment cost{};
+    GcodeReport file{};
+    std::optional<double> slicer_estimate{};  // s
 };
 
 JudgedFile judge_file(const std::string& file, const MachineOptions& options,

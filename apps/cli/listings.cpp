@@ -52,8 +52,9 @@ void config(const ConfigOptions& options) {
     Settings settings;
     Json result = result_head("config", {options.file});
     if (!options.file.empty()) {
-        result["ignored"] = read_config(settings, options.file);
-        for (const std::string& ignored : result["ignored"]) console.warn("ignored " + ignored);
+        const std::vector<std::string> ignored = read_config(settings, options.file);
+        for (const std::string& name : ignored) console.warn("ignored " + name);
+        result["ignored"] = ignored;
         check(settings);
     }
     for (const Setting& setting : all_settings()) {

@@ -1,4 +1,6 @@
 // beadwork simulate: time and motion of anybody's G-code.
+#include <fmt/format.h>
+
 #include <memory>
 
 #include "command.h"
