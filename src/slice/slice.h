@@ -19,7 +19,7 @@ struct SliceOptions {
     double closing_gap = 2.0;         // mm, ends of an open outline this near are joined
     double resolution = 0.0125;       // mm, detail below this is dropped from the outlines
     int threads = 0;                  // 0: all
-    Progress progress;
+    Progress progress = {};
 };
 
 struct Layer {
