@@ -11,14 +11,18 @@
 namespace bead {
 
 struct FillOptions {
-    double spacing = 2;  // mm between neighbouring lines; other patterns lay about as much line per area
-    double angle = 0;    // rad, of the lines (of the curve's axes) from +X
-    double link = 1e9;   // mm, longest way along the region's edge by which the ends of two lines are joined
+    double spacing =
+        2;  // mm between neighbouring lines; other patterns lay about as much line per area
+    double angle = 0;   // rad, of the lines (of the curve's axes) from +X
+    double link = 1e9;  // mm, longest way along the region's edge that joins the ends of two lines
+    Vec2 centre;  // of the curves, and where lines are counted from: the part's, not the layer's
 };
 
-// `region` is where centre lines may run; every point of the result lies in it (to 1 µm).
-// Lines lie on a grid that is fixed in the plane, so that layers of the same angle and spacing stack.
-// An empty region, or one too small for the pattern, gives no lines.
+// `region` is where centre lines may run; every point of the result lies in it (to 1 µm). Lines lie
+// where centre, angle and spacing say, whatever the region (but for concentric), so that layers
+// stack. Away from the edge there is 1 / spacing of line per area; links come on top, so a caller
+// who wants an exact volume measures the length and corrects the spacing. Closed lines repeat their
+// first point. An empty region, or one too small for the pattern, gives no lines.
 using Pattern = std::vector<Polyline> (*)(const Region& region, const FillOptions& options);
 
 std::vector<Polyline> rectilinear(const Region& region, const FillOptions& options);
@@ -30,14 +34,17 @@ std::vector<Polyline> octagram(const Region& region, const FillOptions& options)
 struct NamedPattern {
     std::string_view name;
     Pattern make;
-    bool has_direction;     // whether its lines mostly run one way, so that layers must cross
-    double symmetry;        // rad, turning by this gives the same family of lines (pi: lines)
-    std::string_view about; // for --help
+    bool has_direction;      // whether its lines mostly run one way, so that layers must cross
+    double symmetry;         // rad, turning by this gives the same family of lines (pi: lines)
+    std::string_view about;  // for --help
 };
 inline constexpr std::array patterns{
-    NamedPattern{"rectilinear", rectilinear, true, pi, "straight lines, ends linked along the wall"},
-    NamedPattern{"concentric", concentric, false, 2 * pi, "copies of the outline, one inside the other"},
-    NamedPattern{"hilbert", hilbert, false, pi / 2, "Hilbert's curve: one line of short right-angled steps"},
+    NamedPattern{"rectilinear", rectilinear, true, pi,
+                 "straight lines, ends linked along the wall"},
+    NamedPattern{"concentric", concentric, false, 2 * pi,
+                 "copies of the outline, one inside the other"},
+    NamedPattern{"hilbert", hilbert, false, pi / 2,
+                 "Hilbert's curve: one line of short right-angled steps"},
     NamedPattern{"archimedean", archimedean, false, 2 * pi, "a spiral of even pitch, in chords"},
     NamedPattern{"octagram", octagram, false, pi / 4, "nested eight-pointed stars, joined"},
 };
