@@ -1,5 +1,6 @@
-// How a part is built up, whatever the printer: walls, solid layers, infill, beads, speeds. Defaults are
-// those of an ordinary 0.4 mm nozzle with 0.2 mm layers. Lengths mm, speeds mm/s, angles rad.
+// How a part is built up, whatever the printer: walls, solid layers, infill, beads, speeds.
+// Defaults are those of an ordinary 0.4 mm nozzle with 0.2 mm layers. Lengths mm, speeds mm/s,
+// angles rad.
 #pragma once
 #include "infill/fill.h"
 
@@ -20,9 +21,9 @@ struct PlanOptions {
     int walls = 2;
     int top_layers = 4;
     int bottom_layers = 4;
-    double density = 0.2;       // 0 … 1, deposited volume / volume between the walls
+    double density = 0.2;  // 0 … 1, deposited volume / volume between the walls
     NamedPattern pattern = patterns[0];
-    double angle = pi / 4;      // of even layers; directed patterns turn by 90° on odd ones
+    double angle = pi / 4;  // of even layers; directed patterns turn by 90° on odd ones
     double bead_width = 0.45;
     double first_layer_width = 0.45;
     double infill_overlap = 0.25;  // of a bead's width by which sparse infill reaches into the wall

@@ -1,5 +1,5 @@
-// Layers to a toolpath. `plan` does it all; the steps beside it are for those who choose pattern and
-// angle layer by layer and do not want the rest computed again.
+// Layers to a toolpath. `plan` does it all; the steps beside it are for those who choose pattern
+// and angle layer by layer and do not want the rest computed again.
 //
 //     const std::vector<LayerParts> parts = parts_of(slices.layers, options);
 //     const FillSpacing lines = matched_spacing(parts, options);
@@ -12,16 +12,22 @@
 
 namespace bead {
 
-// Distance between the lines of each pattern (in the order of `patterns`), mm, at which the sparse infill
-// of the whole part, links and curves included, deposits what the density asks for. One distance for all
-// layers, so that lines stand on lines.
+// How the sparse infill of each pattern (in the order of `patterns`) is laid so that that of the
+// whole part, links and curves included, deposits what the density asks for. One distance for all
+// layers, so that lines stand on lines. Where no distance gives the volume (a ring takes one more
+// concentric loop or not), the section of the bead is multiplied by `flow`.
 struct FillSpacing {
-    std::array<double, patterns.size()> by_pattern{};
+    std::array<double, patterns.size()> by_pattern{};  // mm between lines; 0: spacing / density
+    std::array<double, patterns.size()> flow{};        // 0 where by_pattern is 0
 };
-FillSpacing matched_spacing(std::span<const LayerParts> parts, const PlanOptions& options);
+// Of the `wanted` patterns, tried on layers from all of the part; the others keep 0, as do all
+// where there is no sparse infill.
+FillSpacing matched_spacing(std::span<const LayerParts> parts, const PlanOptions& options,
+                            std::span<const NamedPattern> wanted = patterns);
 
-// The choice for one layer. Skin is always rectilinear, at `angle`; the pattern is that of the sparse
-// infill. The angle is what the lines of this layer have: alternation is the caller's (layer_angle).
+// The choice for one layer. Skin is always rectilinear, at `angle`; the pattern is that of the
+// sparse infill. The angle is what the lines of this layer have: alternation is the caller's
+// (layer_angle).
 struct FillChoice {
     NamedPattern pattern = patterns[0];
     double angle = 0;
@@ -30,8 +36,8 @@ struct FillChoice {
 // PrusaSlicer's alternation: odd layers are turned by 90°.
 double layer_angle(double angle, int layer_index);
 
-// Everything printed in one layer, travel included, from where the nozzle stands; z of all points is the
-// layer's. The first path is the travel to the layer (from `start`, at the layer's z).
+// Everything printed in one layer, travel included, from where the nozzle stands; z of all points
+// is the layer's. The first path is the travel to the layer (from `start`, at the layer's z).
 Toolpath plan_layer(const LayerParts& parts, const FillChoice& choice, const FillSpacing& lines,
                     const PlanOptions& options, Vec2 start);
 

@@ -1,0 +1,107 @@
+#include <algorithm>
+#include <limits>
+
+#include "core/parallel.h"
+#include "plan/fill_lines.h"
+
+namespace bead {
+namespace {
+
+constexpr std::size_t most_samples = 200;
+constexpr int most_rounds = 4;
+constexpr double tolerance = 0.005;  // of the volume, beyond which the flow is corrected
+
+bool has_sparse(const LayerParts& layer) {
+    return std::ranges::any_of(layer.islands, [](const Island& island) {
+        return std::ranges::any_of(island.fills,
+                                   [](const FillArea& area) { return area.role == Role::infill; });
+    });
+}
+
+std::vector<const LayerParts*> samples_of(std::span<const LayerParts> parts) {
+    std::vector<const LayerParts*> sparse;
+    for (const LayerParts& layer : parts)
+        if (has_sparse(layer)) sparse.push_back(&layer);
+    const std::size_t count = std::min(sparse.size(), most_samples);
+    std::vector<const LayerParts*> samples;
+    for (std::size_t i = 0; i < count; ++i)
+        samples.push_back(sparse[(2 * i + 1) * sparse.size() / (2 * count)]);
+    return samples;
+}
+
+// mm³ of sparse infill in the layer at this spacing, and what it should be.
+struct Amount {
+    double deposited = 0, asked = 0;
+};
+
+Amount amount_in(const LayerParts& layer, const NamedPattern& pattern, double spacing,
+                 const PlanOptions& options) {
+    const FillChoice choice{pattern, layer_angle(options.angle, layer.index)};
+    Amount amount;
+    for (const Island& island : layer.islands)
+        for (const FillArea& area : island.fills) {
+            if (area.role != Role::infill) continue;
+            const FillLines fill = sparse_lines(area, layer, choice, spacing, 1);
+            for (const Polyline& line : fill.lines)
+                amount.deposited += length(line) * section(fill.bead);
+            amount.asked += options.density * bead::area(area.material) * layer.height;
+        }
+    return amount;
+}
+
+// What the pattern deposits for every mm³ asked for.
+double yield_of(std::span<const LayerParts* const> samples, const NamedPattern& pattern,
+                double spacing, const PlanOptions& options) {
+    std::vector<Amount> amounts(samples.size());
+    parallel_for(samples.size(), options.threads, [&](std::size_t i) {
+        amounts[i] = amount_in(*samples[i], pattern, spacing, options);
+    });
+    Amount sum;
+    for (const Amount& amount : amounts) {
+        sum.deposited += amount.deposited;
+        sum.asked += amount.asked;
+    }
+    return sum.asked > 0 ? sum.deposited / sum.asked : 1;
+}
+
+struct Matched {
+    double spacing = 0, flow = 1;
+};
+
+// What a pattern deposits goes nearly with 1 / spacing: taking its yield for a factor converges
+// fast.
+Matched matched(std::span<const LayerParts* const> samples, const NamedPattern& pattern,
+                double nominal, const PlanOptions& options) {
+    constexpr double thinnest = 0.75, thickest = 1.35;
+    Matched best{nominal, 1};
+    double spacing = nominal, least = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < most_rounds && least > tolerance; ++round) {
+        const double yield = yield_of(samples, pattern, spacing, options);
+        if (yield <= 0) break;
+        if (std::abs(std::log(yield)) < least) {
+            least = std::abs(std::log(yield));
+            best = {spacing, std::clamp(1 / yield, thinnest, thickest)};
+        }
+        spacing *= std::clamp(yield, 0.5, 2.0);
+    }
+    if (least < tolerance) best.flow = 1;
+    return best;
+}
+
+}  // namespace
+
+FillSpacing matched_spacing(std::span<const LayerParts> parts, const PlanOptions& options,
+                            std::span<const NamedPattern> wanted) {
+    FillSpacing lines;
+    const std::vector<const LayerParts*> samples = samples_of(parts);
+    if (samples.empty()) return lines;
+    const double nominal = spacing(samples.back()->bead) / options.density;
+    for (const NamedPattern& pattern : wanted) {
+        const Matched found = matched(samples, pattern, nominal, options);
+        lines.by_pattern[index_of(pattern)] = found.spacing;
+        lines.flow[index_of(pattern)] = found.flow;
+    }
+    return lines;
+}
+
+}  // namespace bead
