@@ -1,11 +1,12 @@
 // G-code text to commands: what Marlin-like firmware understands, from any slicer. The text is read
 // in chunks of bounded size; numbers are read exactly and by no locale. Understood: G0 G1 G4 G20
 // G21 G28 G90 G91 G92 M82 M83 M104 M109 M140 M190 M106 M107 M201 M203 M204 M205 M400 and the
-// comments by which slicers name features, layers and beads (;TYPE: ;LAYER_CHANGE ;Z: ;HEIGHT:
-// ;WIDTH: of PrusaSlicer, ;TYPE: ;LAYER: of Cura). The rest is counted, not guessed at.
+// comments by which slicers name features, layers and beads (comments.h). The rest is counted, not
+// guessed at; docs/gcode.md says what counts as what.
 //
-// Throws Error for input that is not G-code at all: a NUL byte, a line longer than 1 MB, no
-// command in the whole file; and for a coordinate that is not finite or beyond 1e6 mm.
+// Throws Error for input that is not G-code at all: a NUL byte, a line longer than 1 MB, nothing
+// that moves in the whole file; and for a number that is out of range: X, Y or Z beyond 1e6 mm, any
+// other beyond 1e9. A layer in which nothing happens is not told.
 #pragma once
 #include <filesystem>
 #include <istream>

@@ -2,14 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "gcode/text.h"
 
 namespace bead {
 namespace {
 
 std::vector<double> heights_of(const std::vector<LayerStart>& layers) {
-    std::vector<double> heights;
-    for (const LayerStart& layer : layers) heights.push_back(layer.z);
+    std::vector<double> heights(layers.size());
+    std::ranges::transform(layers, heights.begin(), &LayerStart::z);
     return heights;
 }
 
@@ -20,8 +22,8 @@ TEST(Comments, name_the_role_of_moves_that_extrude_across) {
             "G1 Z1 E3\n;TYPE:Top solid infill\nG1 Y1 E4\n;TYPE:WALL-INNER\nG1 Y2 E5\n"
             ";TYPE:never heard of\nG1 Y3 E6\n; FEATURE: Sparse infill\nG1 Y4 E7\n")
             .all<Move>();
-    std::vector<Role> roles;
-    for (const Move& move : moves) roles.push_back(move.role);
+    std::vector<Role> roles(moves.size());
+    std::ranges::transform(moves, roles.begin(), &Move::role);
     EXPECT_EQ(roles, (std::vector{Role::other, Role::outer_wall, Role::travel, Role::travel,
                                   Role::travel, Role::travel, Role::travel, Role::top_skin,
                                   Role::wall, Role::other, Role::infill}));

@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -36,7 +37,15 @@ TEST(LineReader, cuts_at_line_ends) {
     EXPECT_TRUE(lines_of("", 4).empty());
 }
 
-class Folder : public testing::Test {
+TEST(LineReader, gives_up_on_a_line_without_end) {
+    const TextSource endless = [](std::span<char> place) {
+        std::ranges::fill(place, 'x');
+        return place.size();
+    };
+    EXPECT_THROW(for_each_line(endless, "text", {}, [](std::string_view) {}), Error);
+}
+
+class FileSource : public testing::Test {
   protected:
     void SetUp() override { std::filesystem::create_directories(folder_); }
     void TearDown() override { std::filesystem::remove_all(folder_); }
@@ -48,7 +57,6 @@ class Folder : public testing::Test {
         std::filesystem::path(testing::TempDir()) /
         testing::UnitTest::GetInstance()->current_test_info()->name();
 };
-using FileSource = Folder;
 
 std::string gzipped(const std::string& text) {
     std::string out(compressBound(text.size()) + 64, '\0');

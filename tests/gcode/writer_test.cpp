@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <locale>
 #include <sstream>
 
 #include "gcode/text.h"
@@ -113,6 +114,20 @@ TEST(Writer, writes_short_lines_that_a_slicers_user_knows) {
               "; one\n; two\nG21\nG90\nM83\nG28\n;LAYER_CHANGE\n;Z:0.2\n;HEIGHT:0.2\n"
               "G1 X10 Y-0.5 Z0.2 F7800\n;TYPE:External perimeter\n;WIDTH:0.45\nG1 X20 E1.5\n"
               "G1 X20.063 E0.01235 F740.736\n");
+}
+
+struct Commas : std::numpunct<char> {
+    [[nodiscard]] char do_decimal_point() const override { return ','; }
+    [[nodiscard]] char do_thousands_sep() const override { return '.'; }
+    [[nodiscard]] std::string do_grouping() const override { return "\3"; }
+};
+
+TEST(Writer, knows_no_locale) {
+    const std::vector<Command> commands{{Move{{1234.5, 0, 0.25, 0}, 2000, Role::travel, {}}, 0}};
+    std::ostringstream text;
+    text.imbue(std::locale(std::locale::classic(), new Commas));
+    GcodeWriter(text, {}).write(commands[0]);
+    EXPECT_EQ(text.str(), text_of(commands));
 }
 
 TEST(Writer, leaves_out_what_changes_nothing) {

@@ -7,6 +7,7 @@
 #include <rapidcheck.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <ostream>
@@ -81,7 +82,7 @@ class StreamBuilder {
 
     Position place() const {
         Position at{};
-        for (int axis = 0; axis < 3; ++axis) at[axis] = double(counts_[axis]) / 1e3;
+        for (std::size_t axis = 0; axis < 3; ++axis) at[axis] = double(counts_[axis]) / 1e3;
         at[axis_e] = double(counts_[axis_e]) / 1e5;
         return at;
     }
@@ -115,7 +116,7 @@ class StreamBuilder {
     void set_position(const StreamStep& step) {
         const std::array<int, 4> values{step.x, step.y, step.z, step.e};
         SetPosition position;
-        for (int axis = 0; axis < axis_count; ++axis) {
+        for (std::size_t axis = 0; axis < axis_count; ++axis) {
             if ((1 + step.choice % 15) >> axis & 1) {
                 counts_[axis] = values[axis];
                 position.to[axis] = place()[axis];
@@ -125,7 +126,7 @@ class StreamBuilder {
     }
     void home(const StreamStep& step) {
         Home home;
-        for (int axis = 0; axis < 3; ++axis) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
             home.axes[axis] = (1 + step.choice % 7) >> axis & 1;
             if (home.axes[axis]) counts_[axis] = 0;
         }
@@ -154,7 +155,7 @@ class StreamBuilder {
     void layer(const StreamStep& step) {
         counts_[axis_z] = 200 * (1 + step.choice);
         put(LayerStart{.z = place()[axis_z], .height = 0.05 * (step.choice % 5)});
-        travel(StreamStep{});
+        step.choice % 2 == 0 ? travel(StreamStep{}) : extrude(step);
     }
 
     std::array<std::int64_t, axis_count> counts_{};  // 0.001 mm; of E 0.00001 mm
