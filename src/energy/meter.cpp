@@ -10,7 +10,7 @@ namespace bead {
 namespace {
 
 constexpr double warm = 50;  // °C, above which the hot end's fan runs
-constexpr double J_per_kWh = 3.6e6;
+constexpr double joules_per_kwh = 3.6e6;
 
 double conductance(double resistance) { return resistance > 0 ? 1 / resistance : 0; }
 
@@ -64,7 +64,7 @@ void EnergyMeter::add(const MotionEvent& event) {
 
 EnergyReport EnergyMeter::report() const {
     EnergyReport report = sum_;
-    report.co2 = total(sum_.energy) / J_per_kWh * power_.grid_co2;
+    report.co2 = total(sum_.energy) / joules_per_kwh * power_.grid_co2;
     return report;
 }
 

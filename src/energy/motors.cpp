@@ -7,8 +7,8 @@ namespace bead {
 
 namespace {
 
-constexpr double mJ = 1e-3;  // N mm in J
-constexpr double uJ = 1e-6;  // kg mm²/s² in J
+constexpr double newton_mm = 1e-3;      // J
+constexpr double kg_mm2_per_s2 = 1e-6;  // J
 
 // Path lengths of the three phases, mm.
 struct Phases {
@@ -26,8 +26,8 @@ struct AxisCost {
 };
 
 AxisCost cost_of(const Motor& motor, double acceleration) {
-    const double friction = motor.friction * mJ;
-    const double inertia = motor.moving_mass * acceleration * uJ;
+    const double friction = motor.friction * newton_mm;
+    const double inertia = motor.moving_mass * acceleration * kg_mm2_per_s2;
     const auto cost = [&](double force) {
         return motor.per_speed + std::max(0.0, force) / motor.efficiency;
     };

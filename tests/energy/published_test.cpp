@@ -63,10 +63,8 @@ RC_GTEST_PROP(Features, AddUpWhenABlockIsCutInTwo, ()) {
     const double cut =
         ((first.v_entry + first.v_peak) / 2 * first.t_accel + first.v_peak * first.t_cruise) /
         whole.length;
-    for (int axis = 0; axis < axis_count; ++axis) {
-        first.delta[axis] *= cut;
-        second.delta[axis] *= 1 - cut;
-    }
+    for (double& d : first.delta) d *= cut;
+    for (double& d : second.delta) d *= 1 - cut;
     first.length *= cut;
     second.length *= 1 - cut;
     const Features sum = features_of(first) + features_of(second), all = features_of(whole);
