@@ -26,7 +26,7 @@ struct PlanOptions {
     double angle = pi / 4;  // of even layers; directed patterns turn by 90° on odd ones
     double bead_width = 0.45;
     double first_layer_width = 0.45;
-    double infill_overlap = 0.25;  // of a bead's width by which sparse infill reaches into the wall
+    double infill_overlap = 0.25;  // of a bead's width by which sparse infill reaches into a wall
     Speeds speeds;
     double first_layer_acceleration = 0;  // mm/s²; 0: the printer's usual
     int skirt_loops = 1;

@@ -46,9 +46,8 @@ class Covers {
   private:
     [[nodiscard]] Region part_under(const Region& material, int run) const {
         if (count_ == 0) return material;
-        if (material.empty() || run < 0 || run >= static_cast<int>(runs_.size())) return {};
-        const Region& cover = runs_[static_cast<std::size_t>(run)];
-        return cover.empty() ? Region{} : intersection(material, cover);
+        if (run < 0 || run >= static_cast<int>(runs_.size())) return {};
+        return common_part(material, runs_[static_cast<std::size_t>(run)]);
     }
 
     int count_ = 0;
@@ -79,20 +78,22 @@ void add_solid(std::vector<Island>& islands, Role role, const Region& region, co
     const double half = spacing(bead) / 2;
     const Region wide = opened(region, half);
     for (const Polygon& piece : wide) add_area(islands, role, piece, half);
-    for (const Polygon& piece : opened(difference(region, wide), half / 2))
+    for (const Polygon& piece : opened(without(region, wide), half / 2))
         add_area(islands, role, piece, half / 2);
 }
 
+// Crumbs that no line fits into are left empty.
 void add_sparse(std::vector<Island>& islands, const Region& region, const Bead& bead,
                 double overlap) {
+    const double inwards = (0.5 - overlap) * bead.width;
     for (const Polygon& piece : region) {
+        const Region centre = offset({piece}, -inwards);
+        if (centre.empty()) continue;
         std::vector<FillArea>& fills = island_of(islands, piece).fills;
         if (fills.empty()) fills.push_back({Role::infill, {}, {}});
         fills.back().material.push_back(piece);
+        fills.back().centre.insert(fills.back().centre.end(), centre.begin(), centre.end());
     }
-    const double inwards = (0.5 - overlap) * bead.width;
-    for (Island& island : islands)
-        for (FillArea& area : island.fills) area.centre = offset(area.material, -inwards);
 }
 
 void add_fills(Shell& shell, const Covers& upper, const Covers& lower, const Region& above,
@@ -103,7 +104,8 @@ void add_fills(Shell& shell, const Covers& upper, const Covers& lower, const Reg
     const Region covered =
         options.density >= 1 ? Region{} : lower.below(upper.above(shell.material, index), index);
     const Split fills = split(shell.material, covered, above, narrowest_solid * bead.width);
-    if (options.density > 0) add_sparse(islands, fills.sparse, bead, options.infill_overlap);
+    if (options.density > 0 && options.density < 1)
+        add_sparse(islands, fills.sparse, bead, options.walls > 0 ? options.infill_overlap : 0);
     add_solid(islands, Role::skin, fills.skin, bead);
     add_solid(islands, Role::top_skin, fills.top, bead);
 }

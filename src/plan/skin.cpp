@@ -7,21 +7,31 @@
 namespace bead {
 namespace {
 
-Region common(const Region& a, const Region& b) {
-    if (a.empty() || b.empty()) return {};
-    return a == b ? a : intersection(a, b);
+// Where edges nearly coincide Clipper leaves loops of no area, some of them wound the wrong way;
+// its offset would take such a loop for the sign that all are.
+Region without_crumbs(Region region) {
+    constexpr double smallest = 1e-4;  // mm²
+    std::erase_if(region, [](const Polygon& piece) { return signed_area(piece.outer) < smallest; });
+    return region;
 }
 
-// `from`, without what lies in `cut`.
-Region without(const Region& from, const Region& cut) {
-    return from.empty() || cut.empty() ? from : difference(from, cut);
-}
+Region common(const Region& a, const Region& b) { return a == b ? a : common_part(a, b); }
 
 Region without_slivers(const Region& region, double narrowest) {
     return region.empty() ? region : opened(region, narrowest / 2);
 }
 
 }  // namespace
+
+Region common_part(const Region& a, const Region& b) {
+    if (a.empty() || b.empty()) return {};
+    return without_crumbs(intersection(a, b));
+}
+
+Region without(const Region& from, const Region& cut) {
+    if (from.empty() || cut.empty()) return from;
+    return without_crumbs(difference(from, cut));
+}
 
 std::vector<Region> running_intersections(std::vector<Region> regions, int count, int threads) {
     BEAD_EXPECTS(count > 0);

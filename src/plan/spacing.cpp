@@ -72,7 +72,7 @@ struct Matched {
 // fast.
 Matched matched(std::span<const LayerParts* const> samples, const NamedPattern& pattern,
                 double nominal, const PlanOptions& options) {
-    constexpr double thinnest = 0.75, thickest = 1.35;
+    constexpr double thinnest = 0.7, thickest = 1.4;
     Matched best{nominal, 1};
     double spacing = nominal, least = std::numeric_limits<double>::infinity();
     for (int round = 0; round < most_rounds && least > tolerance; ++round) {
