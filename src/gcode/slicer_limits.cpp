@@ -103,6 +103,18 @@ std::optional<double> duration_in(std::string_view text) {
     return seconds;
 }
 
+// Where nobody filled the header in, CuraEngine alone leaves 6666 there; its layers then tell the
+// time.
+std::optional<double> cura_estimate(const Ends& ends) {
+    constexpr double placeholder = 6666;
+    constexpr std::string_view elapsed = "\n;TIME_ELAPSED:";
+    const auto told = value_of(ends.top, ";TIME:");
+    const auto seconds = told ? first_number(*told) : std::nullopt;
+    const auto last = ends.end.rfind(elapsed);
+    if (seconds != placeholder || last == std::string::npos) return seconds;
+    return first_number(std::string_view(ends.end).substr(last + elapsed.size()));
+}
+
 }  // namespace
 
 std::optional<SetLimits> slicer_limits(const std::filesystem::path& file) {
@@ -123,8 +135,7 @@ std::optional<double> slicer_estimate(const std::filesystem::path& file) {
     const Ends ends = ends_of(file);
     if (const auto prusa = value_of(ends.end, "; estimated printing time (normal mode) = "))
         return duration_in(*prusa);
-    if (const auto cura = value_of(ends.top, ";TIME:")) return first_number(*cura);
-    return {};
+    return cura_estimate(ends);
 }
 
 }  // namespace bead

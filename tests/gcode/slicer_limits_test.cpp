@@ -70,9 +70,12 @@ TEST_F(SlicerLimits, do_not_count_when_the_slicer_ignores_them) {
     EXPECT_FALSE(slicer_limits(file_));
 }
 
-TEST_F(SlicerLimits, come_with_curas_estimate_from_the_top) {
-    write(";FLAVOR:Marlin\n;TIME:6666\n" + long_print() + ";TIME_ELAPSED:7000.5\n");
-    EXPECT_EQ(slicer_estimate(file_), 6666);
+TEST_F(SlicerLimits, come_with_curas_estimate) {
+    const std::string layers = long_print() + ";TIME_ELAPSED:3\nG1 X9\n;TIME_ELAPSED:7000.5\n";
+    write(";FLAVOR:Marlin\n;TIME:7123\n" + layers);
+    EXPECT_EQ(slicer_estimate(file_), 7123);
+    write(";FLAVOR:Marlin\n;TIME:6666\n" + layers);  // the engine's, before anybody knew
+    EXPECT_EQ(slicer_estimate(file_), 7000.5);
 }
 
 TEST_F(SlicerLimits, need_a_file) { EXPECT_THROW(slicer_limits(file_), Error); }
