@@ -29,7 +29,7 @@ void print_consumers(const Console& console, const Energy& energy) {
 void print_comparison(const Console& console, const Energy& before, const Energy& after) {
     for (const Consumer& row : consumers)
         console.say(
-            "  {:<22} {:>9.2f} Wh {:>9.2f} Wh {:>+8.1f} %\n", row.name,
+            "    {:<20} {:>13.2f} Wh {:>13.2f} Wh {:>+8.1f} %\n", row.name,
             watt_hours(before.*row.joules), watt_hours(after.*row.joules),
             before.*row.joules > 0 ? 100 * (after.*row.joules / (before.*row.joules) - 1) : 0.0);
 }

@@ -65,12 +65,32 @@ OptimizeOptions search_options(const Options& options, const Settings& settings,
     return search;
 }
 
-// How often each pattern and angle was chosen: {"rectilinear", 45°} -> 12 layers.
-std::map<std::pair<std::string, long>, long> tally(const std::vector<FillChoice>& choices) {
-    std::map<std::pair<std::string, long>, long> counts;
-    for (const FillChoice& choice : choices)
-        ++counts[{std::string(choice.pattern.name), std::lround(degrees(choice.angle))}];
-    return counts;
+// "94 layers rectilinear (0° 59, 90° 22, 75° 7 …)", the most common pattern first.
+std::vector<std::string> tally(const std::vector<FillChoice>& choices) {
+    struct Count {
+        std::string pattern;
+        long layers = 0;
+        std::map<long, long> by_angle;
+    };
+    std::vector<Count> counts;
+    for (const FillChoice& choice : choices) {
+        auto count = std::ranges::find(counts, choice.pattern.name, &Count::pattern);
+        if (count == counts.end())
+            count = counts.insert(count, {std::string(choice.pattern.name), 0, {}});
+        ++count->layers;
+        ++count->by_angle[std::lround(degrees(choice.angle))];
+    }
+    std::ranges::stable_sort(counts, std::greater{}, &Count::layers);
+    std::vector<std::string> lines;
+    for (const Count& count : counts) {
+        std::vector<std::pair<long, long>> angles(count.by_angle.begin(), count.by_angle.end());
+        std::ranges::stable_sort(angles, std::greater{}, &std::pair<long, long>::second);
+        std::string text = fmt::format("{} layers {} (", count.layers, count.pattern);
+        for (std::size_t i = 0; i < std::min<std::size_t>(angles.size(), 4); ++i)
+            text += fmt::format("{}{}° {}x", i > 0 ? ", " : "", angles[i].first, angles[i].second);
+        lines.push_back(text + (angles.size() > 4 ? ", …)" : ")"));
+    }
+    return lines;
 }
 
 // The layer whose choice is most common among those with sparse infill; it shows what was chosen.
@@ -123,17 +143,17 @@ void print_text(const Console& console, const Options& options, const Machine& m
                 printer_label(options.machine));
     console.say("searched {} combinations of turn, pattern and angle; simulated {} layers\n\n",
                 best.candidates, best.evaluated);
-    console.say("  {:<22} {:>12} {:>12} {:>10}\n", "", "baseline", "chosen", "change");
-    console.say("  {:<22} {:>12} {:>12} {:>+8.1f} %\n", "printing time",
+    console.say("  {:<22} {:>16} {:>16} {:>10}\n", "", "baseline", "chosen", "change");
+    console.say("  {:<22} {:>16} {:>16} {:>+8.1f} %\n", "printing time",
                 spoken_time(a.motion.duration), spoken_time(b.motion.duration),
                 -percent_less(a.motion.duration, b.motion.duration));
-    console.say("  {:<22} {:>9.2f} Wh {:>9.2f} Wh {:>+8.1f} %\n", "energy from the wall",
+    console.say("  {:<22} {:>13.2f} Wh {:>13.2f} Wh {:>+8.1f} %\n", "energy from the wall",
                 before / 3600, after / 3600, -percent_less(before, after));
     print_comparison(console, a.energy.energy, b.energy.energy);
-    console.say("  {:<22} {:>9.2f} kJ {:>9.2f} kJ {:>+8.1f} %\n", "X and Y motors (*)",
+    console.say("  {:<22} {:>13.2f} kJ {:>13.2f} kJ {:>+8.1f} %\n", "X and Y motors (*)",
                 standing_form(a.features) / 1000, standing_form(b.features) / 1000,
                 -percent_less(standing_form(a.features), standing_form(b.features)));
-    console.say("  {:<22} {:>10.1f} g {:>10.1f} g {:>+8.1f} %\n", "filament",
+    console.say("  {:<22} {:>14.1f} g {:>14.1f} g {:>+8.1f} %\n", "filament",
                 grams(a.motion.extruded, machine), grams(b.motion.extruded, machine),
                 -percent_less(a.motion.extruded, b.motion.extruded));
     console.say("  (*) thesis coefficients, with standing power charged all the time\n\n");
@@ -142,8 +162,7 @@ void print_text(const Console& console, const Options& options, const Machine& m
         plan.pattern.name, degrees(plan.angle), degrees(best.baseline_rotation));
     console.say("chosen:   part turned by {:.1f} degrees; layers by pattern and angle:\n",
                 degrees(best.rotation));
-    for (const auto& [choice, count] : tally(best.chosen.choices))
-        console.say("          {:>5} x {} at {} degrees\n", count, choice.first, choice.second);
+    for (const std::string& line : tally(best.chosen.choices)) console.say("          {}\n", line);
     const double saved = before - after;
     console.say("\n{}\n",
                 saved > 0

@@ -65,7 +65,7 @@ Nozzle warm_start(Judge& judge, const LayerParts& layer, const Jury& jury) {
 
 }  // namespace
 
-double layer_cost(const LayerParts& layer, const FillChoice& choice, const Jury& jury) {
+LayerCost layer_cost(const LayerParts& layer, const FillChoice& choice, const Jury& jury) {
     Judge judge(jury.machine);
     Nozzle nozzle = warm_start(judge, layer, jury);
     const Toolpath path =
@@ -73,7 +73,8 @@ double layer_cost(const LayerParts& layer, const FillChoice& choice, const Jury&
     std::vector<Command> commands;
     append_layer(commands, path, layer.z, layer.height, layer.index, nozzle, jury.program);
     for (const Command& command : commands) judge.add(command);
-    return value_of(jury.goal, judge.finish());
+    const Assessment cost = judge.finish();
+    return {value_of(jury.goal, cost), cost.motion.extruded};
 }
 
 std::vector<LayerClass> alike_layers(std::span<const LayerParts> parts) {

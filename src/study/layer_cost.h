@@ -16,8 +16,11 @@ struct Jury {
     Goal goal = Goal::machine_energy;
 };
 
-// In the unit of value_of(goal).
-double layer_cost(const LayerParts& layer, const FillChoice& choice, const Jury& jury);
+struct LayerCost {
+    double value = 0;     // in the unit of value_of(goal)
+    double filament = 0;  // mm
+};
+LayerCost layer_cost(const LayerParts& layer, const FillChoice& choice, const Jury& jury);
 
 // Layers that are the same but for their height above the bed are judged once.
 struct LayerClass {

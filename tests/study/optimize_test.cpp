@@ -76,8 +76,7 @@ TEST(Optimize, KeepsTheWeight) {
     OptimizeOptions options;
     options.angle_step = pi / 4;
     const Optimum best = optimize(parts, plan, {}, test_machine(), options);
-    EXPECT_NEAR(best.chosen_cost.motion.extruded, best.baseline_cost.motion.extruded,
-                0.03 * best.baseline_cost.motion.extruded);
+    EXPECT_GE(best.chosen_cost.motion.extruded, 0.995 * best.baseline_cost.motion.extruded);
 }
 
 // Tilting the lines by two degrees must not seem to save energy, whatever the published model says.
@@ -91,8 +90,8 @@ TEST(Optimize, DoesNotGoThroughTheHoldLoophole) {
     const ProgramOptions program;
     for (const Goal goal : {Goal::machine_energy, Goal::xy_energy}) {
         const Jury jury{machine, plan, program, lines, goal};
-        const double straight = layer_cost(parts[3], {patterns[0], 0}, jury);
-        const double tilted = layer_cost(parts[3], {patterns[0], 2 * pi / 180}, jury);
+        const double straight = layer_cost(parts[3], {patterns[0], 0}, jury).value;
+        const double tilted = layer_cost(parts[3], {patterns[0], 2 * pi / 180}, jury).value;
         EXPECT_GT(tilted, 0.99 * straight);
     }
 }

@@ -1,0 +1,71 @@
+#include "study/choose_rotation.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace bead {
+namespace {
+
+constexpr std::size_t sampled_classes = 10;
+constexpr double sample_angle_step = pi / 4;
+
+// At most so many classes, from the most common to the rarest.
+std::vector<LayerClass> sample(std::vector<LayerClass> classes) {
+    std::ranges::stable_sort(classes, std::greater{},
+                             [](const LayerClass& c) { return c.members.size(); });
+    if (classes.size() <= sampled_classes) return classes;
+    std::vector<LayerClass> spread;
+    for (std::size_t i = 0; i < sampled_classes; ++i)
+        spread.push_back(classes[i * classes.size() / sampled_classes]);
+    return spread;
+}
+
+// The cheapest way for one class, the mean of two crossing choices where lines have a direction.
+double least_cost(const LayerParts& layer, std::span<const LayerCost> costs,
+                  std::span<const FillChoice> choices, const Weights& weights) {
+    const auto worth = [&](std::size_t i) {
+        return costs[i].value - weights.per_filament * costs[i].filament;
+    };
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < choices.size(); ++i)
+        for (std::size_t k = 0; k < choices.size(); ++k) {
+            const bool alternate = has_direction(layer, choices[i].pattern);
+            const bool crosses = choices[k].pattern.name == choices[i].pattern.name &&
+                                 crossing(choices[k].angle, choices[i].angle) > pi / 2 - 1e-6;
+            if (alternate ? crosses : i == k) least = std::min(least, (worth(i) + worth(k)) / 2);
+        }
+    return least;
+}
+
+}  // namespace
+
+double best_rotation(std::span<const LayerParts> parts, const Jury& jury, const Weights& weights,
+                     const OptimizeOptions& options, Effort& effort) {
+    const std::vector<LayerClass> classes = sample(alike_layers(parts));
+    const std::vector<FillChoice> choices = all_choices(options.patterns, sample_angle_step);
+    double best = options.baseline_rotation, least = std::numeric_limits<double>::infinity();
+    const auto attempt = [&](double rotation) {
+        const std::vector<LayerParts> placed = on_bed(parts, rotation, jury.machine.printer);
+        if (!fits_bed(placed, jury.machine.printer)) return;
+        const CostTable costs =
+            class_costs(placed, classes, choices, jury, options.threads, effort);
+        double sum = 0;
+        for (std::size_t c = 0; c < classes.size(); ++c)
+            sum += least_cost(placed[classes[c].example], costs[c], choices, weights) *
+                   static_cast<double>(classes[c].members.size());
+        if (sum >= least) return;
+        least = sum;
+        best = rotation;
+    };
+    const std::vector<double> coarse = steps_up_to(pi, options.rotation_step);
+    for (std::size_t i = 0; i < coarse.size(); ++i) {
+        tell(options.progress, 0.5 * static_cast<double>(i) / static_cast<double>(coarse.size()),
+             "turning the part");
+        attempt(coarse[i]);
+    }
+    const double centre = best;
+    for (const double side : {-0.5, 0.5}) attempt(centre + side * options.rotation_step);
+    return best;
+}
+
+}  // namespace bead
