@@ -15,7 +15,7 @@ struct FillOptions {
         2;  // mm between neighbouring lines; other patterns lay about as much line per area
     double angle = 0;   // rad, of the lines (of the curve's axes) from +X
     double link = 1e9;  // mm, longest way along the region's edge that joins the ends of two lines
-    Vec2 centre;  // of the curves, and where lines are counted from: the part's, not the layer's
+    Vec2 centre{};  // of the curves, and where lines are counted from: the part's, not the layer's
 };
 
 // `region` is where centre lines may run; every point of the result lies in it (to 1 µm). Lines lie
