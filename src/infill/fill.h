@@ -11,10 +11,9 @@
 namespace bead {
 
 struct FillOptions {
-    double spacing =
-        2;  // mm between neighbouring lines; other patterns lay about as much line per area
-    double angle = 0;   // rad, of the lines (of the curve's axes) from +X
-    double link = 1e9;  // mm, longest way along the region's edge that joins the ends of two lines
+    double spacing = 2;  // mm between lines; curves lay as much line per area
+    double angle = 0;    // rad, of the lines (of the curve's axes) from +X
+    double link = 1e9;   // mm, longest way along the region's edge that joins the ends of two lines
     Vec2 centre{};  // of the curves, and where lines are counted from: the part's, not the layer's
 };
 
