@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 #include "scene/drawing.h"
 #include "scene/looks.h"
@@ -103,7 +102,8 @@ std::string legend(std::span<const Panel> panels, const Page& page) {
     const double y = page.legend_top() + legend_height / 2;
     double x = margin + 2;
     std::string svg;
-    for (const Look& look : looks | std::views::reverse) {
+    for (auto row = looks.rbegin(); row != looks.rend(); ++row) {
+        const Look& look = *row;
         const bool occurs = std::ranges::any_of(panels, [&](const Panel& panel) {
             return std::ranges::any_of(panel.layer, [&](const Path& path) {
                 return path.role == look.role && is_drawn(path);
