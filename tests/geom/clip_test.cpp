@@ -90,9 +90,8 @@ RC_GTEST_PROP(Clip, an_inset_keeps_its_distance, (unsigned seed)) {
 RC_GTEST_PROP(Clip, parts_inside_and_outside_make_up_the_line, (unsigned seed)) {
     RandomRegions random(seed);
     const Region region = random.any();
-    std::vector<Polyline> lines;
-    for (int i = 0; i < 20; ++i)
-        lines.push_back({random.point(60), random.point(60), random.point(60)});
+    std::vector<Polyline> lines(20);
+    for (Polyline& line : lines) line = {random.point(60), random.point(60), random.point(60)};
     const double parts =
         summed_length(inside_parts(lines, region)) + summed_length(outside_parts(lines, region));
     RC_ASSERT(std::abs(parts - summed_length(lines)) < 1e-3);
