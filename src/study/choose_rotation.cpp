@@ -39,11 +39,12 @@ double least_cost(const LayerParts& layer, std::span<const LayerCost> costs,
 
 }  // namespace
 
-double best_rotation(std::span<const LayerParts> parts, const Jury& jury, const Weights& weights,
-                     const OptimizeOptions& options, Effort& effort) {
+std::vector<double> promising_rotations(std::span<const LayerParts> parts, const Jury& jury,
+                                        const Weights& weights, const OptimizeOptions& options,
+                                        std::size_t count, Effort& effort) {
     const std::vector<LayerClass> classes = sample(alike_layers(parts));
     const std::vector<FillChoice> choices = all_choices(options.patterns, sample_angle_step);
-    double best = options.baseline_rotation, least = std::numeric_limits<double>::infinity();
+    std::vector<std::pair<double, double>> ranking;  // cost, rotation
     const auto attempt = [&](double rotation) {
         const std::vector<LayerParts> placed = on_bed(parts, rotation, jury.machine.printer);
         if (!fits_bed(placed, jury.machine.printer)) return;
@@ -53,19 +54,24 @@ double best_rotation(std::span<const LayerParts> parts, const Jury& jury, const 
         for (std::size_t c = 0; c < classes.size(); ++c)
             sum += least_cost(placed[classes[c].example], costs[c], choices, weights) *
                    static_cast<double>(classes[c].members.size());
-        if (sum >= least) return;
-        least = sum;
-        best = rotation;
+        ranking.emplace_back(sum, rotation);
     };
-    const std::vector<double> coarse = steps_up_to(pi, options.rotation_step);
-    for (std::size_t i = 0; i < coarse.size(); ++i) {
-        tell(options.progress, 0.5 * static_cast<double>(i) / static_cast<double>(coarse.size()),
+    const std::vector<double> grid = steps_up_to(pi, options.rotation_step);
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+        tell(options.progress, 0.5 * static_cast<double>(i) / static_cast<double>(grid.size()),
              "turning the part");
-        attempt(coarse[i]);
+        attempt(grid[i]);
     }
-    const double centre = best;
-    for (const double side : {-0.5, 0.5}) attempt(centre + side * options.rotation_step);
-    return best;
+    std::ranges::sort(ranking);
+    if (!ranking.empty()) {
+        const double best = ranking.front().second;
+        for (const double side : {-0.5, 0.5}) attempt(best + side * options.rotation_step);
+    }
+    std::ranges::sort(ranking);
+    std::vector<double> promising;
+    for (std::size_t i = 0; i < std::min(count, ranking.size()); ++i)
+        promising.push_back(ranking[i].second);
+    return promising;
 }
 
 }  // namespace bead

@@ -1,5 +1,7 @@
 #include "study/optimize.h"
 
+#include <algorithm>
+
 #include "core/error.h"
 #include "study/choose_layers.h"
 #include "study/choose_rotation.h"
@@ -13,11 +15,23 @@ Assessment assess(const Print& print, const Machine& machine) {
     return judge.finish();
 }
 
-// Cheaper than the baseline, and not by printing less.
-bool is_better(const Optimum& result, Goal goal) {
-    return value_of(goal, result.chosen_cost) < value_of(goal, result.baseline_cost) &&
-           result.chosen_cost.motion.extruded >=
-               least_weight * result.baseline_cost.motion.extruded;
+constexpr std::size_t tried_whole = 3;  // rotations for which the whole print is planned
+
+// Cheaper, and not by printing less.
+bool is_better(const Assessment& cost, const Optimum& than, Goal goal) {
+    return value_of(goal, cost) < value_of(goal, than.chosen_cost) &&
+           cost.motion.extruded >= least_weight * than.baseline_cost.motion.extruded;
+}
+
+std::vector<double> rotations_to_try(std::span<const LayerParts> parts, const Jury& jury,
+                                     const Weights& weights, const OptimizeOptions& options,
+                                     Effort& effort) {
+    if (options.rotation) return {*options.rotation};
+    std::vector<double> rotations =
+        promising_rotations(parts, jury, weights, options, tried_whole, effort);
+    if (std::ranges::find(rotations, options.baseline_rotation) == rotations.end())
+        rotations.push_back(options.baseline_rotation);
+    return rotations;
 }
 
 }  // namespace
@@ -52,21 +66,25 @@ Optimum optimize(std::span<const LayerParts> parts, const PlanOptions& plan,
     const Weights weights{
         value_of(options.goal, result.baseline_cost) / result.baseline_cost.motion.extruded,
         result.baseline_cost.motion.extruded};
+    result.chosen = result.baseline;
+    result.chosen_cost = result.baseline_cost;
+    result.rotation = options.baseline_rotation;
     Effort effort;
-    result.rotation =
-        options.rotation ? *options.rotation : best_rotation(parts, jury, weights, options, effort);
-    tell(options.progress, 0.6, "choosing layer by layer");
-    result.chosen = {on_bed(parts, result.rotation, machine.printer), {}, lines, plan, program};
-    result.chosen.choices = best_choices(result.chosen.parts, jury, weights, options, effort);
-    tell(options.progress, 0.9, "simulating the whole print");
+    const std::vector<double> rotations = rotations_to_try(parts, jury, weights, options, effort);
+    for (std::size_t i = 0; i < rotations.size(); ++i) {
+        tell(options.progress,
+             0.5 + 0.5 * static_cast<double>(i) / static_cast<double>(rotations.size()),
+             "choosing layer by layer");
+        Print print{on_bed(parts, rotations[i], machine.printer), {}, lines, plan, program};
+        print.choices = best_choices(print.parts, jury, weights, options, effort);
+        const Assessment cost = assess(print, machine);
+        if (!is_better(cost, result, options.goal)) continue;
+        result.chosen = std::move(print);
+        result.chosen_cost = cost;
+        result.rotation = rotations[i];
+    }
     result.candidates = effort.candidates;
     result.evaluated = effort.evaluated;
-    result.chosen_cost = assess(result.chosen, machine);
-    if (!is_better(result, options.goal)) {
-        result.chosen = result.baseline;
-        result.chosen_cost = result.baseline_cost;
-        result.rotation = options.baseline_rotation;
-    }
     tell(options.progress, 1, "done");
     return result;
 }
