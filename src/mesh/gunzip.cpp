@@ -16,7 +16,7 @@ struct End {
     void operator()(z_stream* stream) const { inflateEnd(stream); }
 };
 
-constexpr std::size_t step = std::size_t{1} << 20U;
+constexpr std::size_t step = std::size_t{1} << 17U;
 constexpr int gzip_window = 16 + MAX_WBITS;  // 16: with a gzip header
 
 Error broken(std::string_view name) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <pugixml.hpp>
+#include <tuple>
 #include <utility>
 
 #include "core/error.h"
@@ -49,7 +50,9 @@ std::string_view extension_value(const pugi::xml_node& node, std::string_view ke
 struct Address {
     std::string part;  // path of the model in the archive
     std::string id;
-    auto operator<=>(const Address&) const = default;
+    bool operator<(const Address& other) const {
+        return std::tie(part, id) < std::tie(other.part, other.id);
+    }
 };
 
 class Package {

@@ -42,7 +42,7 @@ Archive opened(std::string_view bytes, std::string_view name) {
 std::string content(zip_t* archive, zip_uint64_t index, std::string_view name, std::size_t most) {
     const Entry entry(zip_fopen_index(archive, index, 0));
     if (!entry) throw broken(name);
-    constexpr std::size_t step = std::size_t{1} << 20U;
+    constexpr std::size_t step = std::size_t{1} << 17U;
     std::string text;
     while (true) {
         const std::size_t before = text.size();

@@ -21,8 +21,9 @@ namespace {
 constexpr int batch_size = 128;
 constexpr int block_size = 8;
 
-// Where a layer is cut: half-way up, and a hair more. Designed parts have flat faces at round heights,
-// many of them exactly half-way up a layer; without the hair, rounding would decide for each.
+// Where a layer is cut: half-way up, and a hair more. Designed parts have flat faces at round
+// heights, many of them exactly half-way up a layer; without the hair, rounding would decide for
+// each.
 double cut_height(const Layer& layer) {
     constexpr double hair = 1e-5;  // mm; more than rounding to float moves a point
     return layer.z - layer.height / 2 + hair;
@@ -55,7 +56,7 @@ std::vector<Polyline> reversed(std::vector<Polyline> loops) {
 // empty, and a shell that is inside out is solid nonetheless. The sum of the loops' areas tells
 // when nothing overlaps and nothing is inside out, which is usual.
 Region enclosed(const std::vector<Polyline>& loops) {
-    const Region solid = region_of(loops, Winding::positive);
+    Region solid = region_of(loops, Winding::positive);
     constexpr double rounding = 1e-3;  // mm²; far below what a bead covers
     if (std::abs(area(solid) - turned_area(loops)) < rounding) return solid;
     const Region inside_out = region_of(reversed(loops), Winding::positive);

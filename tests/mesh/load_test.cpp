@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <unistd.h>
 
+#include <filesystem>
+#include <fstream>
 #include <functional>
 
 #include "core/error.h"
@@ -104,11 +107,13 @@ TEST(load_mesh, cuts_polygons_into_triangles_and_counts_points_from_either_end) 
 }
 
 TEST(load_mesh, reads_files) {
-    const TemporaryFile file(".stl");
-    file.write(binary_stl(shapes::box({1, 2, 3})));
-    EXPECT_NEAR(volume(load_mesh(file.path())), 6, 1e-6);
-    EXPECT_THROW(load_mesh(file.path().string() + ".obj"), Error);
-    EXPECT_THROW(load_mesh(std::filesystem::temp_directory_path()), Error);
+    const std::filesystem::path folder = std::filesystem::temp_directory_path();
+    const auto file = folder / fmt::format("beadwork_load_test_{}.stl", getpid());
+    std::ofstream(file, std::ios::binary) << binary_stl(shapes::box({1, 2, 3}));
+    EXPECT_NEAR(volume(load_mesh(file)), 6, 1e-6);
+    std::filesystem::remove(file);
+    EXPECT_THROW(load_mesh(file), Error);
+    EXPECT_THROW(load_mesh(folder), Error);
 }
 
 struct BadFile {

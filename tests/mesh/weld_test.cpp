@@ -10,7 +10,8 @@
 namespace bead {
 namespace {
 
-RC_GTEST_PROP(weld, agrees_with_a_map, (std::vector<std::tuple<std::int8_t, bool>> corners)) {
+RC_GTEST_PROP(weld, agrees_with_a_map,
+              (const std::vector<std::tuple<std::int8_t, bool>>& corners)) {
     std::map<std::tuple<double, double>, int> seen;
     Welder welder(0);
     for (const auto& [x, y] : corners) {

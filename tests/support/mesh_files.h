@@ -1,16 +1,11 @@
 // Small writers of the mesh formats that are read, to test the readers with.
 #pragma once
 #include <fmt/format.h>
-#include <unistd.h>
 #include <zip.h>
 #include <zlib.h>
 
-#include <atomic>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <string>
 
@@ -91,47 +86,36 @@ inline std::string mesh_element(const Mesh& mesh) {
     return text + "</triangles></mesh>";
 }
 
-// A place of its own for a file that is gone with the value.
-class TemporaryFile {
-  public:
-    explicit TemporaryFile(const std::string& ending) {
-        static std::atomic<int> count = 0;
-        path_ = std::filesystem::temp_directory_path() /
-                fmt::format("beadwork_test_{}_{}{}", getpid(), count++, ending);
-    }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-    ~TemporaryFile() {
-        std::error_code ignored;
-        std::filesystem::remove(path_, ignored);
-    }
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-    void write(const std::string& bytes) const { std::ofstream(path_, std::ios::binary) << bytes; }
-    [[nodiscard]] std::string read() const {
-        std::ifstream stream(path_, std::ios::binary);
-        return {std::istreambuf_iterator<char>(stream), {}};
-    }
-
-  private:
-    std::filesystem::path path_;
-};
-
 inline std::string zipped(const std::map<std::string, std::string>& files) {
-    const TemporaryFile file(".zip");
-    zip_t* const archive = zip_open(file.path().c_str(), ZIP_CREATE | ZIP_TRUNCATE, nullptr);
+    zip_source_t* const target = zip_source_buffer_create(nullptr, 0, 0, nullptr);
+    zip_source_keep(target);
+    zip_t* const archive = zip_open_from_source(target, ZIP_TRUNCATE, nullptr);
     for (const auto& [path, text] : files)
         zip_file_add(archive, path.c_str(), zip_source_buffer(archive, text.data(), text.size(), 0),
                      ZIP_FL_ENC_UTF_8);
     zip_close(archive);
-    return file.read();
+    zip_source_open(target);
+    zip_source_seek(target, 0, SEEK_END);
+    std::string bytes(static_cast<std::size_t>(zip_source_tell(target)), '\0');
+    zip_source_seek(target, 0, SEEK_SET);
+    zip_source_read(target, bytes.data(), bytes.size());
+    zip_source_close(target);
+    zip_source_free(target);
+    return bytes;
 }
 
 inline std::string gzipped(const std::string& bytes) {
-    const TemporaryFile file(".gz");
-    gzFile stream = gzopen(file.path().c_str(), "wb");
-    gzwrite(stream, bytes.data(), static_cast<unsigned>(bytes.size()));
-    gzclose(stream);
-    return file.read();
+    z_stream stream{};
+    deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, 16 + MAX_WBITS, 8, Z_DEFAULT_STRATEGY);
+    std::string packed(deflateBound(&stream, bytes.size()), '\0');
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+    stream.avail_in = static_cast<uInt>(bytes.size());
+    stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+    stream.avail_out = static_cast<uInt>(packed.size());
+    deflate(&stream, Z_FINISH);
+    packed.resize(stream.total_out);
+    deflateEnd(&stream);
+    return packed;
 }
 
 // A 3MF file from what stands within <resources> and <build>.
