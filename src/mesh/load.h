@@ -4,8 +4,8 @@
 // Points of STL and OBJ files that are equal to the bit become one; points that no triangle uses go.
 //
 // Throws Error (one line: file, what, what to do) for a missing, empty, truncated, non-mesh file,
-// for coordinates that are not finite, and for meshes of no triangles, no height or only degenerate
-// triangles.
+// for coordinates that are not finite or lie beyond 100 m, and for meshes of no triangles, no height
+// or only degenerate triangles.
 #pragma once
 #include <filesystem>
 #include <optional>
