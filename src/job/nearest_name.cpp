@@ -1,8 +1,8 @@
 #include "job/nearest_name.h"
 
 #include <algorithm>
-#include <compare>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 namespace bead {
@@ -13,7 +13,9 @@ constexpr std::size_t longest_name = 60;  // what is longer is no slip of the fi
 struct Difference {
     std::size_t to_start = std::numeric_limits<std::size_t>::max();  // edits to how the name begins
     std::size_t to_all = std::numeric_limits<std::size_t>::max();    // edits to the whole name
-    auto operator<=>(const Difference&) const = default;
+    bool operator<(const Difference& other) const {
+        return std::tie(to_start, to_all) < std::tie(other.to_start, other.to_all);
+    }
 };
 
 char folded(char c) {
@@ -46,7 +48,7 @@ std::string nearest_name(std::string_view wrong, std::span<const std::string_vie
     std::string_view nearest;
     for (const std::string_view name : known) {
         const Difference found = difference(wrong, name);
-        if (found >= least) continue;
+        if (!(found < least)) continue;
         least = found;
         nearest = name;
     }
