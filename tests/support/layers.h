@@ -5,7 +5,7 @@
 
 #include "geom/clip.h"
 #include "slice/slice.h"
-#include "support/shapes.h"
+#include "shapes.h"
 
 namespace bead::shapes {
 
