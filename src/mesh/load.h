@@ -1,11 +1,12 @@
 // Reads a mesh from a file: STL (binary and ASCII), OBJ and 3MF (units, transforms and several
 // objects, all that its build section places), each also gzipped (.stl.gz …). What it is follows
 // from the content where that is certain (binary or ASCII STL), else from the name's ending.
-// Points of STL and OBJ files that are equal to the bit become one; points that no triangle uses go.
+// Points of STL and OBJ files that are equal to the bit become one; points that no triangle uses
+// go.
 //
 // Throws Error (one line: file, what, what to do) for a missing, empty, truncated, non-mesh file,
-// for coordinates that are not finite or lie beyond 100 m, and for meshes of no triangles, no height
-// or only degenerate triangles.
+// for coordinates that are not finite or lie beyond 100 m, and for meshes of no triangles, no
+// height or only degenerate triangles.
 #pragma once
 #include <filesystem>
 #include <optional>
