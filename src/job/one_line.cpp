@@ -12,7 +12,7 @@ std::string_view trimmed(std::string_view text) {
 }
 
 std::string one_line(std::string_view text) {
-    constexpr std::size_t longest = 60;
+    constexpr std::size_t longest = 120;
     if (text.empty()) return "(nothing)";
     std::size_t kept = std::min(text.size(), longest);
     // Not in the middle of a UTF-8 character.

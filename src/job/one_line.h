@@ -8,7 +8,7 @@ namespace bead {
 // Without spaces, tabs and line ends around it.
 std::string_view trimmed(std::string_view text);
 
-// Control characters become '?', what is longer than 60 bytes is cut, nothing becomes "(nothing)".
+// Control characters become '?', what is longer than 120 bytes is cut, nothing becomes "(nothing)".
 std::string one_line(std::string_view text);
 
 }  // namespace bead
