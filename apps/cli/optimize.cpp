@@ -215,7 +215,8 @@ void optimize_part(const Options& options) {
     const Machine machine = machine_of(options.machine);
     const Settings settings = settings_of(options.process, console);
     const OptimizeOptions search = search_options(options, settings, console);
-    const std::vector<LayerParts> parts = parts_from(options.process, settings, console);
+    const std::vector<LayerParts> parts =
+        parts_from(options.process, settings, machine.printer, console);
     const Optimum best =
         optimize(parts, settings.plan, program_options(settings, machine), machine, search);
 

@@ -38,6 +38,16 @@ void warn_about(const Slices& slices, const std::string& model, const Console& c
                         model, slices.dropped_outlines, slices.dropped_length));
 }
 
+void refuse_too_large(Vec3 size, const std::string& model, const Printer& printer) {
+    const double diagonal = std::hypot(printer.bed[0], printer.bed[1]);
+    if (size.z <= printer.bed[2] && std::max(size.x, size.y) <= diagonal) return;
+    throw Error(
+        fmt::format("{}: {:.6g} x {:.6g} x {:.6g} mm is larger than the bed of {}, however it is "
+                    "turned; is it in another unit (--units)?",
+                    model, size.x, size.y, size.z, printer.name),
+        Fault::infeasible);
+}
+
 // "1d 2h 3m 4s", as slicers note it.
 std::string slicer_time(double seconds) {
     long rest = std::lround(seconds);
@@ -52,8 +62,9 @@ std::string slicer_time(double seconds) {
 }  // namespace
 
 std::vector<LayerParts> parts_from(const ProcessOptions& options, const Settings& settings,
-                                   const Console& console) {
+                                   const Printer& printer, const Console& console) {
     const Mesh mesh = load_mesh(options.model, unit_of(options.units));
+    refuse_too_large(bounds(mesh).size(), options.model, printer);
     warn_about(check(mesh), options.model, console);
     SliceOptions slicing = settings.slice;
     slicing.progress = progress_on(console);

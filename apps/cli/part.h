@@ -8,8 +8,9 @@
 namespace bead::cli {
 
 // Loads and slices, telling what had to be mended, and splits layers into walls, skin and infill.
+// Throws Error{infeasible} when the part is larger than the printer however it is turned.
 std::vector<LayerParts> parts_from(const ProcessOptions& options, const Settings& settings,
-                                   const Console& console);
+                                   const Printer& printer, const Console& console);
 
 ProgramOptions program_options(const Settings& settings, const Machine& machine);
 

@@ -26,7 +26,8 @@ void slice_part(const Options& options) {
     const Console console = console_of(options.output);
     const Machine machine = machine_of(options.machine);
     const Settings settings = settings_of(options.process, console);
-    const std::vector<LayerParts> parts = parts_from(options.process, settings, console);
+    const std::vector<LayerParts> parts =
+        parts_from(options.process, settings, machine.printer, console);
     const Print print{on_bed(parts, settings.rotate, machine.printer),
                       uniform_choices(parts.size(), settings.plan),
                       matched_spacing(parts, settings.plan), settings.plan,

@@ -11,6 +11,9 @@ namespace cl = ClipperLib;
 
 constexpr double units_per_mm = 1e6;  // 1 nm
 constexpr double largest_mm = 4e6;    // Clipper's 64-bit range, with room for offsets
+// Where edges nearly coincide Clipper leaves loops of no area, some of them wound the wrong way,
+// which its offset would take for the sign that all are.
+constexpr double least_area = 1e-4;  // mm²
 constexpr double arc_tolerance = 2e-3 * units_per_mm;
 
 cl::IntPoint to_units(Vec2 p) {
@@ -58,6 +61,7 @@ Region to_region(const cl::PolyTree& tree) {
     for (const cl::PolyNode* node = tree.GetFirst(); node != nullptr; node = node->GetNext()) {
         if (node->IsHole()) continue;
         Polygon polygon{from_path(node->Contour), {}};
+        if (signed_area(polygon.outer) < least_area) continue;
         for (const cl::PolyNode* hole : node->Childs)
             polygon.holes.push_back(from_path(hole->Contour));
         region.push_back(std::move(polygon));

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 
 #include "core/error.h"
 #include "job/nearest_name.h"
+#include "job/parsed_toml.h"
 
 namespace bead {
 
@@ -37,15 +37,6 @@ struct TomlReader::Document {
 };
 
 namespace {
-
-toml::table parsed(std::string_view text, const std::string& place) {
-    try {
-        return toml::parse(text, place);
-    } catch (const toml::parse_error& e) {
-        throw Error(fmt::format("{}:{}: not valid TOML: {}; correct the line", place,
-                                e.source().begin.line, e.description()));
-    }
-}
 
 std::string limits_of(const Range& range) {
     const std::string_view above = range.open_low ? "above" : "at least";
@@ -93,7 +84,7 @@ void TomlReader::Document::check_known(const toml::table& level, const std::stri
 
 TomlReader::TomlReader(std::string_view text, std::string place)
     : document_(std::make_unique<Document>()) {
-    document_->table = parsed(text, place);
+    document_->table = parsed_toml(text, place);
     document_->place = std::move(place);
 }
 

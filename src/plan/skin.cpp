@@ -7,14 +7,6 @@
 namespace bead {
 namespace {
 
-// Where edges nearly coincide Clipper leaves loops of no area, some of them wound the wrong way;
-// its offset would take such a loop for the sign that all are.
-Region without_crumbs(Region region) {
-    constexpr double smallest = 1e-4;  // mm²
-    std::erase_if(region, [](const Polygon& piece) { return signed_area(piece.outer) < smallest; });
-    return region;
-}
-
 Region common(const Region& a, const Region& b) { return a == b ? a : common_part(a, b); }
 
 Region without_slivers(const Region& region, double narrowest) {
@@ -25,12 +17,12 @@ Region without_slivers(const Region& region, double narrowest) {
 
 Region common_part(const Region& a, const Region& b) {
     if (a.empty() || b.empty()) return {};
-    return without_crumbs(intersection(a, b));
+    return intersection(a, b);
 }
 
 Region without(const Region& from, const Region& cut) {
     if (from.empty() || cut.empty()) return from;
-    return without_crumbs(difference(from, cut));
+    return difference(from, cut);
 }
 
 std::vector<Region> running_intersections(std::vector<Region> regions, int count, int threads) {

@@ -34,11 +34,11 @@ struct BadMesh {
 TEST(BadInput, MeshesThatAreNone) {
     const BadMesh meshes[] = {
         {"empty.stl", "", "empty"},
-        {"text.stl", "this is a letter, not a mesh", "mesh"},
+        {"text.stl", "this is a letter, not a mesh", "STL"},
         {"none.stl", "solid nothing\nendsolid nothing\n", "triangle"},
         {"nan.obj", "v 0 0 0\nv 1 nan 0\nv 0 1 1\nf 1 2 3\n", "finite"},
         {"flat.obj", "v 0 0 0\nv 10 0 0\nv 0 10 0\nf 1 2 3\n", "height"},
-        {"needle.obj", "v 0 0 0\nv 0 0 5\nv 0 0 9\nf 1 2 3\n", "degenerate"},
+        {"needle.obj", "v 0 0 0\nv 0 0 5\nv 0 0 9\nf 1 2 3\n", "without area"},
         {"index.obj", "v 0 0 0\nv 10 0 0\nv 0 10 5\nf 1 2 7\n", "7"},
         {"broken.3mf", "PK\003\004 and then nothing", "3mf"},
         {"broken.stl.gz", "\037\213\010 not really", "gz"},
@@ -92,7 +92,7 @@ TEST(BadInput, SettingsOutsideSense) {
         {"--firmware abacus", 2, "abacus"},
         {"--units furlong", 2, "furlong"},
         {"--no-such-option", 2, "no-such-option"},
-        {"--units m", 3, "--units"},
+        {"--units m", 4, "--units"},
     };
     for (const BadCall& call : calls) {
         const Folder folder;
@@ -135,7 +135,7 @@ TEST(BadInput, APartLargerThanTheBed) {
 
 TEST(BadInput, GcodeThatIsNone) {
     const BadCall files[] = {
-        {"", 3, "empty"},
+        {"", 3, "nothing moves"},
         {"hello, this is not for a machine\n", 3, "G-code"},
         {"G28\nG1 X1e300\n", 3, ":2"},
         {"GCDE\001\002", 3, "binary"},
