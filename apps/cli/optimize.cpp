@@ -26,7 +26,7 @@ struct Options {
     OutputOptions output;
 };
 
-double degrees(double rad) { return rad * 180 / pi; }
+double degrees(double rad) { return std::round(rad * 180 / pi * 1e9) / 1e9; }
 double percent_less(double before, double after) {
     return before > 0 ? 100 * (1 - after / before) : 0;
 }
@@ -95,11 +95,11 @@ std::vector<std::string> tally(const std::vector<FillChoice>& choices) {
 
 // The layer whose choice is most common among those with sparse infill; it shows what was chosen.
 std::size_t telling_layer(const Optimum& best) {
-    std::size_t layer = best.chosen.parts.size() / 2;
+    std::size_t layer = best.chosen.print.parts.size() / 2;
     double most = -1;
-    for (std::size_t i = 0; i < best.chosen.parts.size(); ++i) {
+    for (std::size_t i = 0; i < best.chosen.print.parts.size(); ++i) {
         double sparse = 0;
-        for (const Island& island : best.chosen.parts[i].islands)
+        for (const Island& island : best.chosen.print.parts[i].islands)
             for (const FillArea& fill : island.fills)
                 if (fill.role == Role::infill) sparse += area(fill.material);
         if (sparse > most) {
@@ -115,31 +115,41 @@ Toolpath toolpath_of(const Print& print, std::size_t layer) {
                       {print.parts[layer].centre});
 }
 
-Panel panel(const std::string& title, const Print& print, const Assessment& cost,
-            std::size_t layer) {
-    const LayerEnergy& energy = cost.energy.by_layer.at(layer);
-    return {title, toolpath_of(print, layer),
+Panel panel(const std::string& title, const JudgedPrint& judged, std::size_t layer) {
+    const LayerEnergy& energy = judged.cost.energy.by_layer.at(layer);
+    return {title, toolpath_of(judged.print, layer),
             fmt::format("this layer: {}, {:.2f} Wh", spoken_time(energy.duration),
                         energy.total / 3600)};
 }
 
 void write_picture(const std::string& file, const Optimum& best) {
     const std::size_t layer = telling_layer(best);
-    const std::array panels{panel("before", best.baseline, best.baseline_cost, layer),
-                            panel("after", best.chosen, best.chosen_cost, layer)};
+    const std::array panels{panel("before", best.baseline, layer),
+                            panel("after", best.chosen, layer)};
     OutputFile out(file);
     out.stream() << layer_picture(
-        panels, fmt::format("Layer {} of {}, z = {:.2f} mm", layer + 1, best.chosen.parts.size(),
-                            best.chosen.parts[layer].z));
+        panels, fmt::format("Layer {} of {}, z = {:.2f} mm", layer + 1,
+                            best.chosen.print.parts.size(), best.chosen.print.parts[layer].z));
     out.keep();
+}
+
+std::string verdict(const Assessment& before, const Assessment& after) {
+    const double saved = total(before.energy.energy) - total(after.energy.energy);
+    const double sooner = before.motion.duration - after.motion.duration;
+    if (saved == 0 && sooner == 0) return "nothing cheaper was found; the baseline was kept";
+    const double percent = percent_less(total(before.energy.energy), total(after.energy.energy));
+    return fmt::format("{}: {:.1f} Wh ({:.1f} %); the print takes {} {}",
+                       saved >= 0 ? "saved" : "costs more", std::abs(saved) / 3600,
+                       std::abs(percent), spoken_time(std::abs(sooner)),
+                       sooner >= 0 ? "less" : "longer");
 }
 
 void print_text(const Console& console, const Options& options, const Machine& machine,
                 const Optimum& best) {
-    const Assessment &a = best.baseline_cost, &b = best.chosen_cost;
+    const Assessment &a = best.baseline.cost, &b = best.chosen.cost;
     const double before = total(a.energy.energy), after = total(b.energy.energy);
-    const PlanOptions& plan = best.baseline.plan;
-    console.say("{}: {} layers on {}\n", options.process.model, best.chosen.parts.size(),
+    const PlanOptions& plan = best.baseline.print.plan;
+    console.say("{}: {} layers on {}\n", options.process.model, best.chosen.print.parts.size(),
                 printer_label(options.machine));
     console.say("searched {} combinations of turn, pattern and angle; simulated {} layers\n\n",
                 best.candidates, best.evaluated);
@@ -159,17 +169,17 @@ void print_text(const Console& console, const Options& options, const Machine& m
     console.say("  (*) thesis coefficients, with standing power charged all the time\n\n");
     console.say(
         "baseline: {} at {:.0f} degrees, alternating by 90; part turned by {:.0f} degrees\n",
-        plan.pattern.name, degrees(plan.angle), degrees(best.baseline_rotation));
+        plan.pattern.name, degrees(plan.angle), degrees(best.baseline.rotation));
     console.say("chosen:   part turned by {:.1f} degrees; layers by pattern and angle:\n",
-                degrees(best.rotation));
-    for (const std::string& line : tally(best.chosen.choices)) console.say("          {}\n", line);
-    const double saved = before - after;
-    console.say("\n{}\n",
-                saved > 0
-                    ? console.good(fmt::format("saved: {:.1f} Wh ({:.1f} %) and {}", saved / 3600,
-                                               percent_less(before, after),
-                                               spoken_time(a.motion.duration - b.motion.duration)))
-                    : std::string("nothing cheaper was found; the baseline was kept"));
+                degrees(best.chosen.rotation));
+    for (const std::string& line : tally(best.chosen.print.choices))
+        console.say("          {}\n", line);
+    const Assessment& simple = best.simple.cost;
+    console.say("without any search, only with lines along X and Y: {:.2f} Wh ({:+.1f} %), {}\n",
+                total(simple.energy.energy) / 3600,
+                -percent_less(before, total(simple.energy.energy)),
+                spoken_time(simple.motion.duration));
+    console.say("\n{}\n", console.good(verdict(a, b)));
 }
 
 Json cost_json(const Assessment& cost, const Machine& machine) {
@@ -181,24 +191,28 @@ Json cost_json(const Assessment& cost, const Machine& machine) {
 }
 
 Json json_of(const Options& options, const Machine& machine, const Optimum& best) {
-    const Assessment &a = best.baseline_cost, &b = best.chosen_cost;
-    Json chosen = {{"rotation_deg", degrees(best.rotation)}};
+    const Assessment &a = best.baseline.cost, &b = best.chosen.cost;
+    Json chosen = {{"rotation_deg", degrees(best.chosen.rotation)}};
     chosen.update(cost_json(b, machine));
     Json layers = Json::array();
-    for (std::size_t i = 0; i < best.chosen.parts.size(); ++i)
-        layers.push_back({{"z_mm", best.chosen.parts[i].z},
-                          {"pattern", best.chosen.choices[i].pattern.name},
-                          {"angle_deg", degrees(best.chosen.choices[i].angle)}});
+    for (std::size_t i = 0; i < best.chosen.print.parts.size(); ++i)
+        layers.push_back({{"z_mm", best.chosen.print.parts[i].z},
+                          {"pattern", best.chosen.print.choices[i].pattern.name},
+                          {"angle_deg", degrees(best.chosen.print.choices[i].angle)}});
     chosen["layers"] = layers;
-    Json baseline = {{"rotation_deg", degrees(best.baseline_rotation)},
-                     {"pattern", best.baseline.plan.pattern.name},
-                     {"angle_deg", degrees(best.baseline.plan.angle)}};
+    Json baseline = {{"rotation_deg", degrees(best.baseline.rotation)},
+                     {"pattern", best.baseline.print.plan.pattern.name},
+                     {"angle_deg", degrees(best.baseline.print.plan.angle)}};
     baseline.update(cost_json(a, machine));
+
+    Json simple = cost_json(best.simple.cost, machine);
+    simple.erase("by_layer");
 
     Json result = result_head("optimize", {options.process.model});
     result["output"] = options.out;
     result["minimize"] = options.goal;
     result["baseline"] = baseline;
+    result["lines_along_axes"] = simple;
     result["chosen"] = chosen;
     result["candidates"] = best.candidates;
     result["evaluated"] = best.evaluated;
@@ -221,10 +235,10 @@ void optimize_part(const Options& options) {
         optimize(parts, settings.plan, program_options(settings, machine), machine, search);
 
     if (!options.baseline_out.empty())
-        write_print(options.baseline_out, best.baseline, machine, settings.relative_e,
+        write_print(options.baseline_out, best.baseline.print, machine, settings.relative_e,
                     options.process.model + ", as told");
     if (!options.picture.empty()) write_picture(options.picture, best);
-    write_print(options.out, best.chosen, machine, settings.relative_e,
+    write_print(options.out, best.chosen.print, machine, settings.relative_e,
                 options.process.model + ", least " + options.goal);
     print_text(console, options, machine, best);
     write_result(options.output.json, json_of(options, machine, best));

@@ -28,10 +28,12 @@ void slice_part(const Options& options) {
     const Settings settings = settings_of(options.process, console);
     const std::vector<LayerParts> parts =
         parts_from(options.process, settings, machine.printer, console);
-    const Print print{on_bed(parts, settings.rotate, machine.printer),
-                      uniform_choices(parts.size(), settings.plan),
-                      matched_spacing(parts, settings.plan), settings.plan,
-                      program_options(settings, machine)};
+    Print print{on_bed(parts, settings.rotate, machine.printer),
+                uniform_choices(parts.size(), settings.plan),
+                {},
+                settings.plan,
+                program_options(settings, machine)};
+    print.lines = matched_spacing(print.parts, print.choices, print.plan);
     if (!fits_bed(print.parts, machine.printer))
         throw Error(options.process.model + ": does not fit the bed of " + machine.printer.name +
                         "; turn it (--rotate) or choose another printer",

@@ -20,11 +20,6 @@ struct FillSpacing {
     std::array<double, patterns.size()> by_pattern{};  // mm between lines; 0: spacing / density
     std::array<double, patterns.size()> flow{};        // 0 where by_pattern is 0
 };
-// Of the `wanted` patterns, tried on layers from all of the part; the others keep 0, as do all
-// where there is no sparse infill.
-FillSpacing matched_spacing(std::span<const LayerParts> parts, const PlanOptions& options,
-                            std::span<const NamedPattern> wanted = patterns);
-
 // The choice for one layer. Skin is always rectilinear, at `angle`; the pattern is that of the
 // sparse infill. The angle is what the lines of this layer have: alternation is the caller's
 // (layer_angle).
@@ -32,6 +27,16 @@ struct FillChoice {
     NamedPattern pattern = patterns[0];
     double angle = 0;
 };
+
+// Of the `wanted` patterns, tried on layers from all of the part; the others keep 0, as do all
+// where there is no sparse infill.
+FillSpacing matched_spacing(std::span<const LayerParts> parts, const PlanOptions& options,
+                            std::span<const NamedPattern> wanted = patterns);
+
+// The same for layers whose patterns and angles are chosen already: each pattern is matched on the
+// layers that have it.
+FillSpacing matched_spacing(std::span<const LayerParts> parts, std::span<const FillChoice> choices,
+                            const PlanOptions& options);
 
 // PrusaSlicer's alternation: odd layers are turned by 90°.
 double layer_angle(double angle, int layer_index);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/expects.h"
 #include "core/parallel.h"
 #include "plan/fill_lines.h"
 
@@ -9,7 +10,7 @@ namespace {
 
 constexpr std::size_t most_samples = 200;
 constexpr int most_rounds = 4;
-constexpr double tolerance = 0.005;  // of the volume, beyond which the flow is corrected
+constexpr double tolerance = 0.001;  // of the volume, beyond which the flow is corrected
 
 bool has_sparse(const LayerParts& layer) {
     return std::ranges::any_of(layer.islands, [](const Island& island) {
@@ -18,14 +19,18 @@ bool has_sparse(const LayerParts& layer) {
     });
 }
 
-std::vector<const LayerParts*> samples_of(std::span<const LayerParts> parts) {
-    std::vector<const LayerParts*> sparse;
-    for (const LayerParts& layer : parts)
-        if (has_sparse(layer)) sparse.push_back(&layer);
-    const std::size_t count = std::min(sparse.size(), most_samples);
-    std::vector<const LayerParts*> samples;
+// A layer and the angle of its lines.
+struct Sample {
+    const LayerParts* layer = nullptr;
+    double angle = 0;
+};
+
+// At most so many, from all of the part.
+std::vector<Sample> spread(const std::vector<Sample>& all) {
+    const std::size_t count = std::min(all.size(), most_samples);
+    std::vector<Sample> samples;
     for (std::size_t i = 0; i < count; ++i)
-        samples.push_back(sparse[(2 * i + 1) * sparse.size() / (2 * count)]);
+        samples.push_back(all[(2 * i + 1) * all.size() / (2 * count)]);
     return samples;
 }
 
@@ -34,9 +39,10 @@ struct Amount {
     double deposited = 0, asked = 0;
 };
 
-Amount amount_in(const LayerParts& layer, const NamedPattern& pattern, double spacing,
+Amount amount_in(const Sample& sample, const NamedPattern& pattern, double spacing,
                  const PlanOptions& options) {
-    const FillChoice choice{pattern, layer_angle(options.angle, layer.index)};
+    const LayerParts& layer = *sample.layer;
+    const FillChoice choice{pattern, sample.angle};
     Amount amount;
     for (const Island& island : layer.islands)
         for (const FillArea& area : island.fills) {
@@ -50,11 +56,11 @@ Amount amount_in(const LayerParts& layer, const NamedPattern& pattern, double sp
 }
 
 // What the pattern deposits for every mm³ asked for.
-double yield_of(std::span<const LayerParts* const> samples, const NamedPattern& pattern,
-                double spacing, const PlanOptions& options) {
+double yield_of(std::span<const Sample> samples, const NamedPattern& pattern, double spacing,
+                const PlanOptions& options) {
     std::vector<Amount> amounts(samples.size());
     parallel_for(samples.size(), options.threads, [&](std::size_t i) {
-        amounts[i] = amount_in(*samples[i], pattern, spacing, options);
+        amounts[i] = amount_in(samples[i], pattern, spacing, options);
     });
     Amount sum;
     for (const Amount& amount : amounts) {
@@ -70,8 +76,8 @@ struct Matched {
 
 // What a pattern deposits goes nearly with 1 / spacing: taking its yield for a factor converges
 // fast.
-Matched matched(std::span<const LayerParts* const> samples, const NamedPattern& pattern,
-                double nominal, const PlanOptions& options) {
+Matched matched(std::span<const Sample> samples, const NamedPattern& pattern, double nominal,
+                const PlanOptions& options) {
     constexpr double thinnest = 0.7, thickest = 1.4;
     Matched best{nominal, 1};
     double spacing = nominal, least = std::numeric_limits<double>::infinity();
@@ -88,18 +94,39 @@ Matched matched(std::span<const LayerParts* const> samples, const NamedPattern& 
     return best;
 }
 
+// Puts in what suits the pattern on these layers; nothing if there are none.
+void match(FillSpacing& lines, const NamedPattern& pattern, const std::vector<Sample>& layers,
+           const PlanOptions& options) {
+    if (layers.empty()) return;
+    const std::vector<Sample> samples = spread(layers);
+    const double nominal = spacing(samples.back().layer->bead) / options.density;
+    const Matched found = matched(samples, pattern, nominal, options);
+    lines.by_pattern[index_of(pattern)] = found.spacing;
+    lines.flow[index_of(pattern)] = found.flow;
+}
+
 }  // namespace
 
 FillSpacing matched_spacing(std::span<const LayerParts> parts, const PlanOptions& options,
                             std::span<const NamedPattern> wanted) {
+    std::vector<Sample> sparse;
+    for (const LayerParts& layer : parts)
+        if (has_sparse(layer)) sparse.push_back({&layer, layer_angle(options.angle, layer.index)});
     FillSpacing lines;
-    const std::vector<const LayerParts*> samples = samples_of(parts);
-    if (samples.empty()) return lines;
-    const double nominal = spacing(samples.back()->bead) / options.density;
-    for (const NamedPattern& pattern : wanted) {
-        const Matched found = matched(samples, pattern, nominal, options);
-        lines.by_pattern[index_of(pattern)] = found.spacing;
-        lines.flow[index_of(pattern)] = found.flow;
+    for (const NamedPattern& pattern : wanted) match(lines, pattern, sparse, options);
+    return lines;
+}
+
+FillSpacing matched_spacing(std::span<const LayerParts> parts, std::span<const FillChoice> choices,
+                            const PlanOptions& options) {
+    BEAD_EXPECTS(parts.size() == choices.size());
+    FillSpacing lines;
+    for (const NamedPattern& pattern : patterns) {
+        std::vector<Sample> sparse;
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            if (choices[i].pattern.name == pattern.name && has_sparse(parts[i]))
+                sparse.push_back({&parts[i], choices[i].angle});
+        match(lines, pattern, sparse, options);
     }
     return lines;
 }

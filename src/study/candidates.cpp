@@ -28,8 +28,8 @@ double crossing(double a, double b) {
 CostTable class_costs(std::span<const LayerParts> parts, std::span<const LayerClass> classes,
                       std::span<const FillChoice> choices, const Jury& jury, int threads,
                       Effort& effort) {
-    constexpr LayerCost never{std::numeric_limits<double>::infinity(), 0};
-    CostTable costs(classes.size(), std::vector<LayerCost>(choices.size(), never));
+    constexpr double never = std::numeric_limits<double>::infinity();
+    CostTable costs(classes.size(), std::vector<double>(choices.size(), never));
     std::vector<std::pair<std::size_t, std::size_t>> jobs;
     for (std::size_t c = 0; c < classes.size(); ++c)
         for (std::size_t i = 0; i < choices.size(); ++i)

@@ -4,13 +4,6 @@
 
 namespace bead {
 
-// What plastic is worth when candidates of different weight are compared: without it, the cheapest
-// way to fill a layer would be the one that fills it least.
-struct Weights {
-    double per_filament = 0;  // cost per mm of the baseline's filament
-    double filament = 0;      // mm, of the whole baseline
-};
-
 struct Effort {
     long candidates = 0;  // combinations of rotation, pattern and angle
     long evaluated = 0;   // layers planned and simulated
@@ -26,7 +19,7 @@ std::vector<FillChoice> all_choices(std::span<const NamedPattern> allowed, doubl
 double crossing(double a, double b);
 
 // One row per class, one column per choice; infinite where another choice gives the same.
-using CostTable = std::vector<std::vector<LayerCost>>;
+using CostTable = std::vector<std::vector<double>>;
 CostTable class_costs(std::span<const LayerParts> parts, std::span<const LayerClass> classes,
                       std::span<const FillChoice> choices, const Jury& jury, int threads,
                       Effort& effort);

@@ -21,18 +21,15 @@ std::vector<LayerClass> sample(std::vector<LayerClass> classes) {
 }
 
 // The cheapest way for one class, the mean of two crossing choices where lines have a direction.
-double least_cost(const LayerParts& layer, std::span<const LayerCost> costs,
-                  std::span<const FillChoice> choices, const Weights& weights) {
-    const auto worth = [&](std::size_t i) {
-        return costs[i].value - weights.per_filament * costs[i].filament;
-    };
+double least_cost(const LayerParts& layer, std::span<const double> costs,
+                  std::span<const FillChoice> choices) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < choices.size(); ++i)
         for (std::size_t k = 0; k < choices.size(); ++k) {
             const bool alternate = has_direction(layer, choices[i].pattern);
             const bool crosses = choices[k].pattern.name == choices[i].pattern.name &&
                                  crossing(choices[k].angle, choices[i].angle) > pi / 2 - 1e-6;
-            if (alternate ? crosses : i == k) least = std::min(least, (worth(i) + worth(k)) / 2);
+            if (alternate ? crosses : i == k) least = std::min(least, (costs[i] + costs[k]) / 2);
         }
     return least;
 }
@@ -40,8 +37,8 @@ double least_cost(const LayerParts& layer, std::span<const LayerCost> costs,
 }  // namespace
 
 std::vector<double> promising_rotations(std::span<const LayerParts> parts, const Jury& jury,
-                                        const Weights& weights, const OptimizeOptions& options,
-                                        std::size_t count, Effort& effort) {
+                                        const OptimizeOptions& options, std::size_t count,
+                                        Effort& effort) {
     const std::vector<LayerClass> classes = sample(alike_layers(parts));
     const std::vector<FillChoice> choices = all_choices(options.patterns, sample_angle_step);
     std::vector<std::pair<double, double>> ranking;  // cost, rotation
@@ -52,7 +49,7 @@ std::vector<double> promising_rotations(std::span<const LayerParts> parts, const
             class_costs(placed, classes, choices, jury, options.threads, effort);
         double sum = 0;
         for (std::size_t c = 0; c < classes.size(); ++c)
-            sum += least_cost(placed[classes[c].example], costs[c], choices, weights) *
+            sum += least_cost(placed[classes[c].example], costs[c], choices) *
                    static_cast<double>(classes[c].members.size());
         ranking.emplace_back(sum, rotation);
     };

@@ -9,7 +9,7 @@ namespace bead {
 // The most promising ones in rad, best first, at most `count`. Rotations at which the part does not
 // fit the bed are left out.
 std::vector<double> promising_rotations(std::span<const LayerParts> parts, const Jury& jury,
-                                        const Weights& weights, const OptimizeOptions& options,
-                                        std::size_t count, Effort& effort);
+                                        const OptimizeOptions& options, std::size_t count,
+                                        Effort& effort);
 
 }  // namespace bead

@@ -1,5 +1,6 @@
 #include "study/layer_cost.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <map>
@@ -63,18 +64,44 @@ Nozzle warm_start(Judge& judge, const LayerParts& layer, const Jury& jury) {
     return nozzle;
 }
 
+// What the layer's sparse infill should weigh, over what it weighs; 0 if it has none but should.
+double infill_due(const LayerParts& layer, const Toolpath& path, const PlanOptions& plan) {
+    const double asked = asked_volumes({&layer, 1}, plan).infill;
+    const double laid = deposited_volumes(path).infill;
+    if (asked <= 0) return 1;
+    return laid > 0 ? asked / laid : 0;
+}
+
+// A pattern that lays much too much or too little on a layer (rings in a narrow one) does not suit
+// it, however cheap: it is taken only where nothing suits.
+constexpr double least_due = 0.8, most_due = 1.25, unsuited = 10;
+
+// The layer with the way back to where it began: the next one begins near there.
+Toolpath with_return(Toolpath path) {
+    if (path.empty() || path.back().points.empty() || path.front().points.empty()) return path;
+    const Vec3 begin = path.front().points.back(), end = path.back().points.back();
+    path.push_back({Role::travel, {}, path.front().speed, 0, true, {end, begin}});
+    return path;
+}
+
 }  // namespace
 
-LayerCost layer_cost(const LayerParts& layer, const FillChoice& choice, const Jury& jury) {
+double layer_cost(const LayerParts& layer, const FillChoice& choice, const Jury& jury) {
     Judge judge(jury.machine);
     Nozzle nozzle = warm_start(judge, layer, jury);
     const Toolpath path =
         plan_layer(layer, choice, jury.lines, jury.plan, {nozzle.at[axis_x], nozzle.at[axis_y]});
     std::vector<Command> commands;
-    append_layer(commands, path, layer.z, layer.height, layer.index, nozzle, jury.program);
+    append_layer(commands, with_return(path), layer.z, layer.height, layer.index, nozzle,
+                 jury.program);
     for (const Command& command : commands) judge.add(command);
     const Assessment cost = judge.finish();
-    return {value_of(jury.goal, cost), cost.motion.extruded};
+    const double due = infill_due(layer, path, jury.plan);
+    const double value = value_of(jury.goal, cost);
+    if (due < least_due || due > most_due) return unsuited * value;
+    const double of_infill = cost.motion.by_role[static_cast<std::size_t>(Role::infill)];
+    const double share = cost.motion.duration > 0 ? of_infill / cost.motion.duration : 0;
+    return value * (1 + share * (due - 1));
 }
 
 std::vector<LayerClass> alike_layers(std::span<const LayerParts> parts) {

@@ -16,11 +16,11 @@ struct Jury {
     Goal goal = Goal::machine_energy;
 };
 
-struct LayerCost {
-    double value = 0;     // in the unit of value_of(goal)
-    double filament = 0;  // mm
-};
-LayerCost layer_cost(const LayerParts& layer, const FillChoice& choice, const Jury& jury);
+// In the unit of value_of(goal), at the weight that was asked for: `jury.lines` suit the part as a
+// whole, but on a single layer one choice deposits a little more infill than another. What the
+// infill costs is scaled to what it should weigh, else the cheapest choice would be the one that
+// prints least.
+double layer_cost(const LayerParts& layer, const FillChoice& choice, const Jury& jury);
 
 // Layers that are the same but for their height above the bed are judged once.
 struct LayerClass {

@@ -9,26 +9,38 @@
 namespace bead {
 namespace {
 
-Assessment assess(const Print& print, const Machine& machine) {
+// With the infill's lines spaced so that this very print has the weight that was asked for.
+JudgedPrint judged(Print print, double rotation, const Machine& machine) {
+    print.lines = matched_spacing(print.parts, print.choices, print.plan);
     Judge judge(machine);
     run(print, [&](const Command& command) { judge.add(command); });
-    return judge.finish();
+    return {std::move(print), rotation, judge.finish()};
 }
 
+// Pattern and angle alternating, as told, at `angle`.
+Print uniform(Print print, double angle) {
+    PlanOptions plan = print.plan;
+    plan.angle = angle;
+    print.choices = uniform_choices(print.parts.size(), plan);
+    return print;
+}
+
+constexpr double least_weight =
+    0.998;  // of the baseline's filament; below, a print counts as printing less
 constexpr std::size_t tried_whole = 3;  // rotations for which the whole print is planned
 
-// Cheaper, and not by printing less.
-bool is_better(const Assessment& cost, const Optimum& than, Goal goal) {
-    return value_of(goal, cost) < value_of(goal, than.chosen_cost) &&
-           cost.motion.extruded >= least_weight * than.baseline_cost.motion.extruded;
+// Takes the print if it is cheaper, and not by printing less.
+void consider(JudgedPrint print, Optimum& result, Goal goal) {
+    const double least = least_weight * result.baseline.cost.motion.extruded;
+    if (value_of(goal, print.cost) < value_of(goal, result.chosen.cost) &&
+        print.cost.motion.extruded >= least)
+        result.chosen = std::move(print);
 }
 
 std::vector<double> rotations_to_try(std::span<const LayerParts> parts, const Jury& jury,
-                                     const Weights& weights, const OptimizeOptions& options,
-                                     Effort& effort) {
+                                     const OptimizeOptions& options, Effort& effort) {
     if (options.rotation) return {*options.rotation};
-    std::vector<double> rotations =
-        promising_rotations(parts, jury, weights, options, tried_whole, effort);
+    std::vector<double> rotations = promising_rotations(parts, jury, options, tried_whole, effort);
     if (std::ranges::find(rotations, options.baseline_rotation) == rotations.end())
         rotations.push_back(options.baseline_rotation);
     return rotations;
@@ -53,35 +65,29 @@ Optimum optimize(std::span<const LayerParts> parts, const PlanOptions& plan,
                  const OptimizeOptions& options) {
     const FillSpacing lines = matched_spacing(parts, plan);
     const Jury jury{machine, plan, program, lines, options.goal};
-    Optimum result;
-    result.baseline_rotation = options.baseline_rotation;
-    result.baseline = {on_bed(parts, options.baseline_rotation, machine.printer),
-                       uniform_choices(parts.size(), plan), lines, plan, program};
-    if (!fits_bed(result.baseline.parts, machine.printer))
+    const auto turned = [&](double rotation) {
+        return Print{on_bed(parts, rotation, machine.printer), {}, lines, plan, program};
+    };
+    const double told = options.baseline_rotation;
+    if (!fits_bed(turned(told).parts, machine.printer))
         throw Error("the part does not fit the bed of " + machine.printer.name +
                         "; turn it (--rotate) or choose another printer",
                     Fault::infeasible);
-    result.baseline_cost = assess(result.baseline, machine);
-
-    const Weights weights{
-        value_of(options.goal, result.baseline_cost) / result.baseline_cost.motion.extruded,
-        result.baseline_cost.motion.extruded};
+    Optimum result;
+    result.baseline = judged(uniform(turned(told), plan.angle), told, machine);
+    result.simple = judged(uniform(turned(told), 0), told, machine);
     result.chosen = result.baseline;
-    result.chosen_cost = result.baseline_cost;
-    result.rotation = options.baseline_rotation;
+    consider(result.simple, result, options.goal);
+
     Effort effort;
-    const std::vector<double> rotations = rotations_to_try(parts, jury, weights, options, effort);
+    const std::vector<double> rotations = rotations_to_try(parts, jury, options, effort);
     for (std::size_t i = 0; i < rotations.size(); ++i) {
         tell(options.progress,
              0.5 + 0.5 * static_cast<double>(i) / static_cast<double>(rotations.size()),
              "choosing layer by layer");
-        Print print{on_bed(parts, rotations[i], machine.printer), {}, lines, plan, program};
-        print.choices = best_choices(print.parts, jury, weights, options, effort);
-        const Assessment cost = assess(print, machine);
-        if (!is_better(cost, result, options.goal)) continue;
-        result.chosen = std::move(print);
-        result.chosen_cost = cost;
-        result.rotation = rotations[i];
+        Print print = turned(rotations[i]);
+        print.choices = best_choices(print.parts, jury, options, effort);
+        consider(judged(std::move(print), rotations[i], machine), result, options.goal);
     }
     result.candidates = effort.candidates;
     result.evaluated = effort.evaluated;

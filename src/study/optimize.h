@@ -7,8 +7,8 @@
 // still cross. Energy is that of the physics model: a motor that stands still under current is
 // charged like one that moves, so no angle wins by standing nearly still (docs/optimize.md).
 //
-// The whole chosen print is judged beside the whole baseline at the end; if it is no better, the
-// baseline is the choice.
+// Whole prints are judged at the end: the baseline, the same print with lines along X and Y (what
+// anybody can have without a search), and what was found. The cheapest is the choice.
 #pragma once
 #include "core/progress.h"
 #include "study/judge.h"
@@ -30,11 +30,16 @@ struct OptimizeOptions {
     Progress progress;
 };
 
+struct JudgedPrint {
+    Print print;
+    double rotation = 0;  // rad
+    Assessment cost;
+};
+
 struct Optimum {
-    Print baseline, chosen;
-    double baseline_rotation = 0;  // rad
-    double rotation = 0;           // rad, of the chosen
-    Assessment baseline_cost, chosen_cost;
+    JudgedPrint baseline;  // as told
+    JudgedPrint simple;    // as told, but lines along X and Y
+    JudgedPrint chosen;
     long candidates = 0;  // combinations of rotation, pattern and angle considered per layer
     long evaluated = 0;   // layers planned and simulated for it
 };

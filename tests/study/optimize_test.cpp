@@ -48,9 +48,9 @@ TEST(Optimize, IsNeverWorseThanItsBaseline) {
         options.goal = goal;
         options.angle_step = options.rotation_step = pi / 4;
         const Optimum best = optimize(parts, plan, {}, test_machine(), options);
-        EXPECT_LE(value_of(goal, best.chosen_cost), value_of(goal, best.baseline_cost));
+        EXPECT_LE(value_of(goal, best.chosen.cost), value_of(goal, best.baseline.cost));
         EXPECT_GT(best.evaluated, 0);
-        EXPECT_EQ(best.chosen.choices.size(), parts.size());
+        EXPECT_EQ(best.chosen.print.choices.size(), parts.size());
     }
 }
 
@@ -64,10 +64,11 @@ TEST(Optimize, FindsThatLongLinesAreFaster) {
     options.rotation = 0;
     options.patterns = {patterns[0]};
     const Optimum best = optimize(parts, plan, {}, test_machine(), options);
-    EXPECT_LT(best.chosen_cost.motion.duration, best.baseline_cost.motion.duration);
-    for (std::size_t i = 1; i < best.chosen.choices.size(); ++i)
-        EXPECT_GE(crossing(best.chosen.choices[i].angle, best.chosen.choices[i - 1].angle),
-                  options.least_crossing - 1e-6);
+    EXPECT_LT(best.chosen.cost.motion.duration, best.baseline.cost.motion.duration);
+    for (std::size_t i = 1; i < best.chosen.print.choices.size(); ++i)
+        EXPECT_GE(
+            crossing(best.chosen.print.choices[i].angle, best.chosen.print.choices[i - 1].angle),
+            options.least_crossing - 1e-6);
 }
 
 TEST(Optimize, KeepsTheWeight) {
@@ -76,7 +77,7 @@ TEST(Optimize, KeepsTheWeight) {
     OptimizeOptions options;
     options.angle_step = pi / 4;
     const Optimum best = optimize(parts, plan, {}, test_machine(), options);
-    EXPECT_GE(best.chosen_cost.motion.extruded, 0.995 * best.baseline_cost.motion.extruded);
+    EXPECT_GE(best.chosen.cost.motion.extruded, 0.995 * best.baseline.cost.motion.extruded);
 }
 
 // Tilting the lines by two degrees must not seem to save energy, whatever the published model says.
@@ -90,8 +91,8 @@ TEST(Optimize, DoesNotGoThroughTheHoldLoophole) {
     const ProgramOptions program;
     for (const Goal goal : {Goal::machine_energy, Goal::xy_energy}) {
         const Jury jury{machine, plan, program, lines, goal};
-        const double straight = layer_cost(parts[3], {patterns[0], 0}, jury).value;
-        const double tilted = layer_cost(parts[3], {patterns[0], 2 * pi / 180}, jury).value;
+        const double straight = layer_cost(parts[3], {patterns[0], 0}, jury);
+        const double tilted = layer_cost(parts[3], {patterns[0], 2 * pi / 180}, jury);
         EXPECT_GT(tilted, 0.99 * straight);
     }
 }
