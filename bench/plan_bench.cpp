@@ -21,6 +21,7 @@ Region plate(double taper) {
 
 std::vector<Layer> layers() {
     std::vector<Region> regions;
+    regions.reserve(100);
     for (int i = 0; i < 100; ++i) regions.push_back(plate(0.02 * i));
     return shapes::stacked(regions);
 }

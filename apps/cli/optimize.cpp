@@ -1,6 +1,7 @@
 // beadwork optimize: the print of a part that costs least.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 
@@ -93,21 +94,35 @@ std::vector<std::string> tally(const std::vector<FillChoice>& choices) {
     return lines;
 }
 
-// The layer whose choice is most common among those with sparse infill; it shows what was chosen.
+double sparse_area(const LayerParts& layer) {
+    double sum = 0;
+    for (const Island& island : layer.islands)
+        for (const FillArea& fill : island.fills)
+            if (fill.role == Role::infill) sum += area(fill.material);
+    return sum;
+}
+
+// Of the layers with much infill, the one that saves most nearly what the whole print saves:
+// neither the best nor the worst of them stands for the rest.
 std::size_t telling_layer(const Optimum& best) {
-    std::size_t layer = best.chosen.print.parts.size() / 2;
-    double most = -1;
-    for (std::size_t i = 0; i < best.chosen.print.parts.size(); ++i) {
-        double sparse = 0;
-        for (const Island& island : best.chosen.print.parts[i].islands)
-            for (const FillArea& fill : island.fills)
-                if (fill.role == Role::infill) sparse += area(fill.material);
-        if (sparse > most) {
-            most = sparse;
-            layer = i;
-        }
+    const std::vector<LayerParts>& parts = best.chosen.print.parts;
+    double most = 0;
+    for (const LayerParts& layer : parts) most = std::max(most, sparse_area(layer));
+    const auto change = [](double before, double after) { return after / before - 1; };
+    const double whole =
+        change(best.baseline.cost.motion.duration, best.chosen.cost.motion.duration);
+    std::size_t telling = parts.size() / 2;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (sparse_area(parts[i]) < most / 2) continue;
+        const double off = change(best.baseline.cost.energy.by_layer.at(i).duration,
+                                  best.chosen.cost.energy.by_layer.at(i).duration) -
+                           whole;
+        if (std::abs(off) >= least) continue;
+        least = std::abs(off);
+        telling = i;
     }
-    return layer;
+    return telling;
 }
 
 Toolpath toolpath_of(const Print& print, std::size_t layer) {

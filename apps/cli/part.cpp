@@ -107,7 +107,7 @@ Assessment write_print(const std::string& file, const Print& print, const Machin
             },
             layers);
     }
-    const Assessment cost = judge.finish();
+    Assessment cost = judge.finish();
     out.stream() << fmt::format(
         "; filament used [mm] = {:.2f}\n; filament used [g] = {:.2f}\n"
         "; estimated printing time (normal mode) = {}\n; energy from the wall [Wh] = {:.2f}\n",

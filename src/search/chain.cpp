@@ -15,7 +15,8 @@ struct Step {
 
 Step extended(const Step& before, const std::vector<double>& costs, std::size_t step,
               const MayFollow& may_follow) {
-    Step after{std::vector<double>(costs.size(), impossible), std::vector<std::size_t>(costs.size())};
+    Step after{std::vector<double>(costs.size(), impossible),
+               std::vector<std::size_t>(costs.size())};
     for (std::size_t to = 0; to < costs.size(); ++to)
         for (std::size_t from = 0; from < before.cost.size(); ++from) {
             const double cost = before.cost[from] + costs[to];

@@ -9,6 +9,7 @@ namespace bead {
 std::vector<double> steps_up_to(double end, double step) {
     std::vector<double> values;
     const auto count = std::max(1, static_cast<int>(std::lround(end / step)));
+    values.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) values.push_back(end * i / count);
     return values;
 }

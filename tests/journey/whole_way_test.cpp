@@ -35,7 +35,7 @@ TEST(WholeWay, WhatIsWrittenIsWhatWasSimulated) {
     }
 }
 
-TEST(WholeWay, TheChoiceIsNeverWorseThanItsBaseline) {
+TEST(SlowWay, TheChoiceIsNeverWorseThanItsBaseline) {
     const std::vector<std::pair<std::string, std::string>> goals{
         {"machine-energy", "machine_energy_j"},
         {"xy-energy", "xy_motor_energy_standing_j"},
@@ -68,7 +68,7 @@ TEST(WholeWay, TheBaselineIsWhatSliceMakes) {
     EXPECT_EQ(moves(test::content(folder / "a.gcode")), moves(test::content(folder / "c.gcode")));
 }
 
-TEST(WholeWay, SameBytesForAnyNumberOfThreads) {
+TEST(SlowWay, SameBytesForAnyNumberOfThreads) {
     const Folder folder;
     for (const std::string threads : {"1", "2", "5"})
         ASSERT_EQ(
@@ -94,7 +94,7 @@ TEST(WholeWay, AbsoluteAndRelativeExtrusionAreTheSamePrint) {
                 1e-6 * double(relative["time_s"]));
 }
 
-TEST(WholeWay, DepositsWhatWasAskedFor) {
+TEST(SlowWay, DepositsWhatWasAskedFor) {
     for (const std::string pattern :
          {"rectilinear", "concentric", "hilbert", "archimedean", "octagram"})
         for (const std::string density : {"15%", "40%", "100%"}) {

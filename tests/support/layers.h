@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "geom/clip.h"
-#include "slice/slice.h"
 #include "shapes.h"
+#include "slice/slice.h"
 
 namespace bead::shapes {
 
