@@ -5,10 +5,12 @@
 #include <sstream>
 
 #include "gcode/reader.h"
-#include "motion/prusa.h"
+#include "support/planned.h"
 
 namespace bead {
 namespace {
+
+using test::total_time;
 
 const std::string folder = BEAD_SOURCE_DIR "/tests/data/motion/";
 
@@ -50,21 +52,10 @@ Limits limits_of(const std::string& setting) {
 }
 
 std::vector<Block> planned(const Case& c, const PrusaQuirks& quirks) {
-    std::vector<Block> blocks;
-    PrusaPlanner planner(limits_of(c.setting), {quirks, c.lookahead == "16" ? 16 : 0},
-                         [&](const MotionEvent& event) {
-                             if (const Block* b = std::get_if<Block>(&event)) blocks.push_back(*b);
+    return test::planned(limits_of(c.setting), {quirks, c.lookahead == "16" ? 16 : 0},
+                         [&](const CommandSink& sink) {
+                             read_gcode(std::filesystem::path(folder + c.name + ".gcode"), sink);
                          });
-    read_gcode(std::filesystem::path(folder + c.name + ".gcode"),
-               [&](const Command& command) { planner.add(command); });
-    planner.finish();
-    return blocks;
-}
-
-double total_time(const std::vector<Block>& blocks) {
-    double sum = 0;
-    for (const Block& block : blocks) sum += duration(block);
-    return sum;
 }
 
 TEST(MotionReference, TotalTimesAreTheFirmwares) {

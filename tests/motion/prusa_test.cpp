@@ -5,28 +5,20 @@
 #include <cmath>
 
 #include "motion/axis_times.h"
+#include "support/planned.h"
 #include "support/random_program.h"
 
 namespace bead {
 namespace {
 
 using test::random_program;
+using test::total_time;
 
 std::vector<Block> blocks_of(const std::vector<Command>& program, const PrusaOptions& options,
                              const Limits& limits = {}) {
-    std::vector<Block> blocks;
-    PrusaPlanner planner(limits, options, [&](const MotionEvent& event) {
-        if (const Block* block = std::get_if<Block>(&event)) blocks.push_back(*block);
+    return test::planned(limits, options, [&](const CommandSink& sink) {
+        for (const Command& command : program) sink(command);
     });
-    for (const Command& command : program) planner.add(command);
-    planner.finish();
-    return blocks;
-}
-
-double total_time(const std::vector<Block>& blocks) {
-    double sum = 0;
-    for (const Block& block : blocks) sum += duration(block);
-    return sum;
 }
 
 double covered(const Block& b) {
