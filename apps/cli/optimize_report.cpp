@@ -69,8 +69,7 @@ void print_optimum(const Console& console, const Optimum& best, const Machine& m
     const Assessment &a = best.baseline.cost, &b = best.chosen.cost;
     const double before = total(a.energy.energy), after = total(b.energy.energy);
     const PlanOptions& plan = best.baseline.print.plan;
-    console.say("{}: {} layers on {}\n", model, best.chosen.print.parts.size(),
-                printer);
+    console.say("{}: {} layers on {}\n", model, best.chosen.print.parts.size(), printer);
     console.say("searched {} combinations of turn, pattern and angle; simulated {} layers\n\n",
                 best.candidates, best.evaluated);
     console.say("  {:<22} {:>16} {:>16} {:>10}\n", "", "baseline", "chosen", "change");

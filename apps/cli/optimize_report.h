@@ -1,4 +1,5 @@
-// What `beadwork optimize` found, for people and for programs: the print as told beside the chosen one.
+// What `beadwork optimize` found, for people and for programs: the print as told beside the chosen
+// one.
 #pragma once
 #include "console.h"
 #include "json_result.h"

@@ -34,7 +34,8 @@ CostTable class_costs(std::span<const LayerParts> parts, std::span<const LayerCl
     std::vector<std::pair<std::size_t, std::size_t>> jobs;
     for (std::size_t c = 0; c < classes.size(); ++c)
         for (std::size_t i = 0; i < choices.size(); ++i)
-            if (is_distinct(parts[classes[c].example], choices[i])) jobs.emplace_back(c, i);
+            if (is_distinct(parts[classes[c].example], choices[i], choices.front().pattern))
+                jobs.emplace_back(c, i);
     parallel_for(jobs.size(), threads, [&](std::size_t job) {
         const auto [c, i] = jobs[job];
         costs[c][i] = layer_cost(parts[classes[c].example], choices[i], jury);

@@ -119,9 +119,9 @@ bool has_direction(const LayerParts& layer, const NamedPattern& pattern) {
     return has_fill(layer, false) || (pattern.has_direction && has_fill(layer, true));
 }
 
-bool is_distinct(const LayerParts& layer, const FillChoice& choice) {
+bool is_distinct(const LayerParts& layer, const FillChoice& choice, const NamedPattern& first) {
     const bool sparse = has_fill(layer, true), solid = has_fill(layer, false);
-    if (!sparse && choice.pattern.name != patterns[0].name) return false;
+    if (!sparse && choice.pattern.name != first.name) return false;
     if (!sparse && !solid) return choice.angle == 0;
     return solid || choice.angle < choice.pattern.symmetry - 1e-9;
 }

@@ -32,8 +32,8 @@ std::vector<LayerClass> alike_layers(std::span<const LayerParts> parts);
 // Whether the layer has lines that run mostly one way when it is filled like this.
 bool has_direction(const LayerParts& layer, const NamedPattern& pattern);
 
-// Whether the choice's angle and pattern are worth trying on this layer, or another one gives the
-// same.
-bool is_distinct(const LayerParts& layer, const FillChoice& choice);
+// Whether the choice is worth trying on this layer, or one with a smaller angle or, where nothing
+// is sparse, with the `first` of the allowed patterns gives the same.
+bool is_distinct(const LayerParts& layer, const FillChoice& choice, const NamedPattern& first);
 
 }  // namespace bead

@@ -107,6 +107,17 @@ TEST(Optimize, JudgesAlikeLayersOnce) {
     EXPECT_EQ(members, parts.size());
 }
 
+TEST(Optimize, CopesWithNothingToChoose) {
+    PlanOptions plan;
+    plan.top_layers = plan.bottom_layers = 0;
+    plan.density = 0;
+    OptimizeOptions options;
+    options.patterns = {patterns[2]};
+    options.angle_step = options.rotation_step = pi / 4;
+    const Optimum best = optimize(plate_parts(plan), plan, {}, test_machine(), options);
+    EXPECT_LE(best.chosen.cost.motion.duration, best.baseline.cost.motion.duration);
+}
+
 TEST(Optimize, RefusesAPartThatCannotFit) {
     const PlanOptions plan = thin_plan();
     Machine machine = test_machine();
