@@ -85,6 +85,7 @@ ProgramOptions program_options(const Settings& settings, const Machine& machine)
             .retract_length = settings.retraction.length,
             .retract_speed = settings.retraction.speed,
             .z_speed = machine.printer.limits.max_feedrate[2],
+            .highest = machine.printer.bed[2],
             .hotend = machine.material.hotend,
             .hotend_first = machine.material.hotend_first,
             .bed = machine.material.bed,

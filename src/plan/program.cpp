@@ -1,5 +1,6 @@
 #include "plan/program.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/expects.h"
@@ -157,7 +158,11 @@ void append_layer(std::vector<Command>& out, const Toolpath& layer, double z, do
 }
 
 void append_end(std::vector<Command>& out, Nozzle& nozzle, const ProgramOptions& options) {
-    Writer(out, nozzle, options).retract();
+    constexpr double clearance = 10;  // mm
+    Writer writer(out, nozzle, options);
+    writer.retract();
+    writer.raise_to(
+        std::max(nozzle.at[axis_z], std::min(nozzle.at[axis_z] + clearance, options.highest)));
     out.push_back({SetHeat{Heater::hotend, 0, false}});
     out.push_back({SetHeat{Heater::bed, 0, false}});
     out.push_back({SetFan{0}});

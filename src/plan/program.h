@@ -10,10 +10,11 @@
 namespace bead {
 
 struct ProgramOptions {
-    double filament = 1.75;                             // mm, diameter
-    double retract_length = 0.8;                        // mm
-    double retract_speed = 35;                          // mm/s
-    double z_speed = 12;                                // mm/s, layer change
+    double filament = 1.75;       // mm, diameter
+    double retract_length = 0.8;  // mm
+    double retract_speed = 35;    // mm/s
+    double z_speed = 12;          // mm/s, layer change
+    double highest = 0;           // mm, to which the nozzle may go; 0: not known
     double hotend = 215, hotend_first = 215, bed = 60;  // °C
     double fan = 1;                                     // duty from the second layer on
     SetLimits limits;                                   // written at the top, if it names any
@@ -35,7 +36,7 @@ void append_start(std::vector<Command>& out, Nozzle& nozzle, const ProgramOption
 // written only if `options.limits` says what to return to.
 void append_layer(std::vector<Command>& out, const Toolpath& layer, double z, double height,
                   int index, Nozzle& nozzle, const ProgramOptions& options);
-// Retract, switch off.
+// Retract, rise clear of the part (10 mm, as far as there is room), switch off.
 void append_end(std::vector<Command>& out, Nozzle& nozzle, const ProgramOptions& options);
 
 }  // namespace bead
