@@ -23,14 +23,14 @@ std::size_t count(std::string_view text, std::string_view part) {
 // Every tag is closed in its turn and nothing between them could be taken for a tag.
 bool is_well_formed(std::string_view xml) {
     std::vector<std::string_view> open;
-    while (!xml.empty()) {
-        const std::size_t start = std::min(xml.find('<'), xml.size());
-        if (xml.substr(0, start).find('>') != std::string_view::npos) return false;
+    for (std::size_t at = 0; at < xml.size();) {
+        const std::size_t start = std::min(xml.find('<', at), xml.size());
+        if (xml.substr(at, start - at).find('>') != std::string_view::npos) return false;
         if (start == xml.size()) break;
         const std::size_t end = xml.find('>', start);
         if (end == std::string_view::npos) return false;
         std::string_view tag = xml.substr(start + 1, end - start - 1);
-        xml.remove_prefix(end + 1);
+        at = end + 1;
         if (count(tag, "\"") % 2 != 0) return false;
         if (tag.ends_with('/')) continue;
         const std::string_view name = tag.substr(0, tag.find(' '));
