@@ -26,10 +26,12 @@ JudgedFile judge_file(const std::string& file, const MachineOptions& options,
     }
     Judge judge(judged.machine, watch);
     bool sets_limits = false;
-    judged.file = read_gcode(std::filesystem::path(file), [&](const Command& command) {
-        sets_limits = sets_limits || std::holds_alternative<SetLimits>(command.what);
-        judge.add(command);
-    });
+    judged.file = read_gcode(std::filesystem::path(file), {.firmware = firmware_of(options)},
+                             [&](const Command& command) {
+                                 sets_limits =
+                                     sets_limits || std::holds_alternative<SetLimits>(command.what);
+                                 judge.add(command);
+                             });
     judged.cost = judge.finish();
     if (sets_limits) judged.limits_source += ", changed by M201-M205 in the file";
     warn_about(judged.file, file, console);

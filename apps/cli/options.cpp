@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 
@@ -88,13 +89,16 @@ void declare(CLI::App& command, MachineOptions& options) {
         ->capture_default_str();
 }
 
+Firmware firmware_of(const MachineOptions& options) {
+    const auto name = std::ranges::find(firmware_names, options.firmware);
+    return static_cast<Firmware>(name - firmware_names.begin());
+}
+
 Machine machine_of(const MachineOptions& options) {
     const std::string name = options.printer.empty() ? default_printer : options.printer;
-    const PrusaQuirks quirks =
-        options.quirks == "faithful" ? faithful_quirks() : corrected_quirks();
     return {load_printer(name),
             load_material(options.material),
-            {quirks, lookahead_of(options.lookahead)}};
+            {firmware_of(options), options.quirks == "corrected", lookahead_of(options.lookahead)}};
 }
 
 std::string printer_label(const MachineOptions& options) {

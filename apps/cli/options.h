@@ -30,6 +30,7 @@ struct MachineOptions {
     std::string lookahead = "16";
 };
 void declare(CLI::App& command, MachineOptions& options);
+Firmware firmware_of(const MachineOptions& options);
 Machine machine_of(const MachineOptions& options);
 // "prusa-mk3s (built in)" or the file's name.
 std::string printer_label(const MachineOptions& options);

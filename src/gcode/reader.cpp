@@ -18,8 +18,14 @@ GcodeReport read_gcode(std::istream& text, const ReadOptions& options, const Com
     return read_source(stream_source(text), options, {}, sink);
 }
 
+GcodeReport read_gcode(const std::filesystem::path& file, ReadOptions options,
+                       const CommandSink& sink) {
+    options.name = file.string();
+    return read_source(file_source(file), options, {}, sink);
+}
+
 GcodeReport read_gcode(const std::filesystem::path& file, const CommandSink& sink) {
-    return read_source(file_source(file), {.name = file.string()}, {}, sink);
+    return read_gcode(file, ReadOptions{}, sink);
 }
 
 }  // namespace bead

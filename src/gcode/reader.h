@@ -13,13 +13,15 @@
 #include <map>
 #include <string>
 
+#include "machine/firmware.h"
 #include "toolpath/command.h"
 
 namespace bead {
 
 struct ReadOptions {
-    std::string name = "G-code";  // what errors call the input
-    double first_feed = 25;       // mm/s, before the first F word
+    std::string name = "G-code";          // what errors call the input
+    double first_feed = 25;               // mm/s, before the first F word
+    Firmware firmware = Firmware::prusa;  // by whose rules the text is read
 };
 
 struct GcodeReport {
@@ -32,7 +34,9 @@ struct GcodeReport {
 };
 
 GcodeReport read_gcode(std::istream& text, const ReadOptions& options, const CommandSink& sink);
-// Opens the file (also .gcode.gz) and reads it.
+// Opens the file (also .gcode.gz) and reads it; errors call it by its path.
+GcodeReport read_gcode(const std::filesystem::path& file, ReadOptions options,
+                       const CommandSink& sink);
 GcodeReport read_gcode(const std::filesystem::path& file, const CommandSink& sink);
 
 }  // namespace bead

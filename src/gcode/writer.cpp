@@ -105,6 +105,8 @@ struct GcodeWriter::State {
         text += '\n';
     }
 
+    void write(const Arc& arc) { write(arc.end); }
+
     void write(const SetPosition& position) {
         if (position.to == PerAxis<std::optional<double>>{}) return;
         text += "G92";

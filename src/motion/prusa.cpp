@@ -58,6 +58,7 @@ void PrusaPlanner::add(const Command& command) {
         PrusaPlanner& planner;
         std::int64_t line;
         void operator()(const Move& m) const { planner.move(m, line); }
+        void operator()(const Arc& arc) const { planner.move(arc.end, line); }
         void operator()(const SetPosition& p) const { planner.set_position(p); }
         void operator()(const Home& home) const {
             planner.drain();

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "machine/limits.h"
-#include "motion/block.h"
+#include "motion/planner.h"
 
 namespace bead {
 
@@ -51,12 +51,12 @@ struct PrusaOptions {
     int lookahead = 16;  // ring size; one place stays free and one block runs. 0: unlimited
 };
 
-class PrusaPlanner {
+class PrusaPlanner final : public Planner {
   public:
     PrusaPlanner(const Limits& limits, const PrusaOptions& options, MotionSink sink);
-    void add(const Command& command);
-    void finish();  // the queue runs dry
-    [[nodiscard]] const Limits& limits() const { return limits_; }
+    void add(const Command& command) override;
+    void finish() override;
+    [[nodiscard]] const Limits& limits() const override { return limits_; }
 
   private:
     struct Planned {

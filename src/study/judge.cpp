@@ -5,11 +5,11 @@ namespace bead {
 Judge::Judge(const Machine& machine, MotionSink watch)
     : meter_(machine.printer.power, machine.material, machine.printer.filament),
       watch_(std::move(watch)),
-      planner_(machine.printer.limits, machine.motion,
-               [this](const MotionEvent& event) { hear(event); }) {}
+      planner_(make_planner(machine.printer.limits, machine.motion,
+                            [this](const MotionEvent& event) { hear(event); })) {}
 
 Assessment Judge::finish() {
-    planner_.finish();
+    planner_->finish();
     return {meter_.report(), totals_, features_};
 }
 

@@ -9,7 +9,7 @@
 #include "energy/published.h"
 #include "machine/material.h"
 #include "machine/printer.h"
-#include "motion/prusa.h"
+#include "motion/planner.h"
 #include "motion/totals.h"
 
 namespace bead {
@@ -17,7 +17,7 @@ namespace bead {
 struct Machine {
     Printer printer;
     Material material;
-    PrusaOptions motion;
+    PlannerOptions motion;
 };
 
 struct Assessment {
@@ -33,9 +33,9 @@ class Judge {
     Judge(const Judge&) = delete;  // the planner reports to this very object
     Judge& operator=(const Judge&) = delete;
 
-    void add(const Command& command) { planner_.add(command); }
+    void add(const Command& command) { planner_->add(command); }
     Assessment finish();
-    [[nodiscard]] const Limits& limits() const { return planner_.limits(); }
+    [[nodiscard]] const Limits& limits() const { return planner_->limits(); }
 
   private:
     void hear(const MotionEvent& event);
@@ -44,7 +44,7 @@ class Judge {
     MotionTotals totals_;
     Features features_;
     MotionSink watch_;
-    PrusaPlanner planner_;
+    std::unique_ptr<Planner> planner_;
 };
 
 }  // namespace bead

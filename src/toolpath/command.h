@@ -28,6 +28,14 @@ struct Move {  // G0, G1: a straight line, all axes together
     Role role = Role::travel;
     Bead bead;  // as far as it is known; 0 if not
 };
+enum class Plane : std::uint8_t { xy, zx, yz };  // G17, G18, G19
+struct Arc {   // G2, G3: along a circle; what is not in its plane, E too, goes evenly along
+    Move end;  // where it leads; feed is along the arc
+    std::array<double, 2> centre{};  // mm, absolute, in the plane's axes (XY, ZX or YZ)
+    bool clockwise = false;
+    Plane plane = Plane::xy;
+    int more_turns = 0;  // whole circles before the rest (P)
+};
 struct SetPosition {  // G92: the machine stands still and calls its place by other numbers
     PerAxis<std::optional<double>> to{};
 };
@@ -47,9 +55,13 @@ struct SetHeat {  // M104, M109, M140, M190
 struct SetFan {       // M106, M107
     double duty = 0;  // 0 … 1
 };
-struct SetLimits {  // M201, M203, M204, M205: only what is named changes
+struct SetLimits {  // M201, M203, M204, M205, SET_VELOCITY_LIMIT: only what is named changes
     PerAxis<std::optional<double>> max_acceleration{}, max_feedrate{}, jerk{};
     std::optional<double> acceleration{}, retract_acceleration{}, travel_acceleration{};
+    std::optional<double> junction_deviation{};  // mm, M205 J
+    // SET_VELOCITY_LIMIT, which only Klipper obeys; its acceleration is the head's whole one
+    std::optional<double> max_velocity{}, max_acceleration_head{}, square_corner_velocity{},
+        minimum_cruise_ratio{};
 };
 struct LayerStart {
     double z = 0;       // mm, top of the layer
@@ -57,7 +69,7 @@ struct LayerStart {
 };
 
 struct Command {
-    std::variant<Move, SetPosition, Home, Dwell, Drain, SetHeat, SetFan, SetLimits, LayerStart>
+    std::variant<Move, Arc, SetPosition, Home, Dwell, Drain, SetHeat, SetFan, SetLimits, LayerStart>
         what;
     std::int64_t line = 0;  // of the file it came from, from 1; 0: from no file
 };
