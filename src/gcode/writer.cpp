@@ -17,8 +17,19 @@ namespace {
 constexpr std::string_view axis_letters = "XYZE";
 constexpr PerAxis<int> decimals{3, 3, 3, 5};
 constexpr int value_decimals = 3;    // of feeds, temperatures, limits
+constexpr int fine_decimals = 5;     // of limits that are small: mm of deviation, ratios
 constexpr int comment_decimals = 5;  // of layers and beads
 constexpr std::array axes{axis_x, axis_y, axis_z, axis_e};
+
+// By Plane: its word, its axes and the words for the centre along these.
+struct PlaneWords {
+    std::string_view command;
+    std::array<Axis, 2> axes;
+    std::array<char, 2> centre;
+};
+constexpr std::array planes{PlaneWords{"G17\n", {axis_x, axis_y}, {'I', 'J'}},
+                            PlaneWords{"G18\n", {axis_z, axis_x}, {'K', 'I'}},
+                            PlaneWords{"G19\n", {axis_y, axis_z}, {'J', 'K'}}};
 
 std::string commented(std::string_view header) {
     std::string text;
@@ -33,11 +44,14 @@ std::string commented(std::string_view header) {
 }  // namespace
 
 struct GcodeWriter::State {
+    using Counts = PerAxis<std::int64_t>;
+
     std::ostream& out;
     const bool relative_e;
     std::string text;                  // of the command being written
-    PerAxis<std::int64_t> place{};     // in units of the last decimal, as a reader knows it
+    Counts place{};                    // in units of the last decimal, as a reader knows it
     std::optional<std::int64_t> feed;  // likewise, mm/min
+    Plane plane = Plane::xy;           // last one chosen
     Role role = Role::travel;          // last one named
     Bead bead;                         // last one named
 
@@ -53,10 +67,20 @@ struct GcodeWriter::State {
         text.clear();
     }
 
-    void word(char letter, double value) {
+    void word(char letter, double value, int places = value_decimals) {
         text += ' ';
         text += letter;
-        append_fixed(text, fixed(value, value_decimals), value_decimals);
+        append_fixed(text, fixed(value, places), places);
+    }
+    void optional_word(char letter, const std::optional<double>& value,
+                       int places = value_decimals) {
+        if (value) word(letter, *value, places);
+    }
+    // KEY=value, as Klipper takes it.
+    void key_word(std::string_view key, const std::optional<double>& value) {
+        if (!value) return;
+        text.append(" ").append(key).append("=");
+        append_fixed(text, fixed(*value, fine_decimals), fine_decimals);
     }
     void comment(std::string_view tag, double value) {
         text += tag;
@@ -68,13 +92,19 @@ struct GcodeWriter::State {
         text += axis_letters[axis];
         append_fixed(text, value, decimals[axis]);
     }
-    void axis_words(std::string_view command, const PerAxis<std::optional<double>>& values) {
-        if (std::ranges::none_of(values, [](const auto& value) { return value.has_value(); }))
-            return;
+    void axis_words(const PerAxis<std::optional<double>>& values) {
+        for (const Axis axis : axes) optional_word(axis_letters[axis], values[axis]);
+    }
+    // The command with the words that `add` appends; nothing if it appends none.
+    template <class AddWords>
+    void line(std::string_view command, const AddWords& add) {
+        const std::size_t start = text.size();
         text += command;
-        for (const Axis axis : axes)
-            if (values[axis]) word(axis_letters[axis], *values[axis]);
-        text += '\n';
+        add();
+        if (text.size() == start + command.size())
+            text.resize(start);
+        else
+            text += '\n';
     }
 
     void name(const Move& move) {
@@ -86,17 +116,18 @@ struct GcodeWriter::State {
         bead = move.bead;
     }
 
-    void write(const Move& move) {
-        PerAxis<std::int64_t> to;
-        for (const Axis axis : axes) to[axis] = fixed(move.to[axis], decimals[axis]);
-        if (to == place) return;
-        name(move);
-        text += "G1";
+    static Counts counted(const Position& place) {
+        Counts counts;
+        for (const Axis axis : axes) counts[axis] = fixed(place[axis], decimals[axis]);
+        return counts;
+    }
+
+    void go(const Counts& to, double speed) {
         for (const Axis axis : axes)
             if (to[axis] != place[axis])
                 axis_word(axis, axis == axis_e && relative_e ? to[axis] - place[axis] : to[axis]);
         place = to;
-        const std::int64_t asked = fixed(move.feed * 60, value_decimals);
+        const std::int64_t asked = fixed(speed * 60, value_decimals);
         if (asked > 0 && asked != feed) {
             feed = asked;
             text += " F";
@@ -105,7 +136,29 @@ struct GcodeWriter::State {
         text += '\n';
     }
 
-    void write(const Arc& arc) { write(arc.end); }
+    void write(const Move& move) {
+        const Counts to = counted(move.to);
+        if (to == place) return;
+        name(move);
+        text += "G1";
+        go(to, move.feed);
+    }
+
+    // The centre is told from the start, in whole units of the last decimal like places.
+    void write(const Arc& arc) {
+        const PlaneWords& words = planes[std::size_t(arc.plane)];
+        if (arc.plane != plane) text += words.command;
+        plane = arc.plane;
+        name(arc.end);
+        text += arc.clockwise ? "G2" : "G3";
+        for (const std::size_t i : {0U, 1U}) {
+            const int places = decimals[words.axes[i]];
+            text.append(" ").append(1, words.centre[i]);
+            append_fixed(text, fixed(arc.centre[i], places) - place[words.axes[i]], places);
+        }
+        if (arc.more_turns > 0) text.append(" P").append(std::to_string(arc.more_turns));
+        go(counted(arc.end.to), arc.end.feed);
+    }
 
     void write(const SetPosition& position) {
         if (position.to == PerAxis<std::optional<double>>{}) return;
@@ -151,16 +204,23 @@ struct GcodeWriter::State {
     }
 
     void write(const SetLimits& limits) {
-        axis_words("M201", limits.max_acceleration);
-        axis_words("M203", limits.max_feedrate);
-        axis_words("M205", limits.jerk);
-        if (!limits.acceleration && !limits.retract_acceleration && !limits.travel_acceleration)
-            return;
-        text += "M204";
-        if (limits.acceleration) word('P', *limits.acceleration);
-        if (limits.retract_acceleration) word('R', *limits.retract_acceleration);
-        if (limits.travel_acceleration) word('T', *limits.travel_acceleration);
-        text += '\n';
+        line("M201", [&] { axis_words(limits.max_acceleration); });
+        line("M203", [&] { axis_words(limits.max_feedrate); });
+        line("M205", [&] {
+            axis_words(limits.jerk);
+            optional_word('J', limits.junction_deviation, fine_decimals);
+        });
+        line("M204", [&] {
+            optional_word('P', limits.acceleration);
+            optional_word('R', limits.retract_acceleration);
+            optional_word('T', limits.travel_acceleration);
+        });
+        line("SET_VELOCITY_LIMIT", [&] {
+            key_word("VELOCITY", limits.max_velocity);
+            key_word("ACCEL", limits.max_acceleration_head);
+            key_word("SQUARE_CORNER_VELOCITY", limits.square_corner_velocity);
+            key_word("MINIMUM_CRUISE_RATIO", limits.minimum_cruise_ratio);
+        });
     }
 
     // The height is named even if it is 0, so that a bead's own height that follows is not taken

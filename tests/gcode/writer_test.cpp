@@ -38,6 +38,10 @@ bool near(const Bead& a, const Bead& b) {
 bool near(const Move& a, const Move& b) {
     return near(a.to, b.to) && near(a.feed, b.feed) && a.role == b.role && near(a.bead, b.bead);
 }
+bool near(const Arc& a, const Arc& b) {
+    return near(a.end, b.end) && near(a.centre[0], b.centre[0]) && near(a.centre[1], b.centre[1]) &&
+           a.clockwise == b.clockwise && a.plane == b.plane && a.more_turns == b.more_turns;
+}
 bool near(const SetPosition& a, const SetPosition& b) { return near(a.to, b.to); }
 bool near(const Home& a, const Home& b) { return a.axes == b.axes; }
 bool near(const Dwell& a, const Dwell& b) { return near(a.duration, b.duration); }
@@ -50,7 +54,12 @@ bool near(const SetLimits& a, const SetLimits& b) {
     return near(a.max_acceleration, b.max_acceleration) && near(a.max_feedrate, b.max_feedrate) &&
            near(a.jerk, b.jerk) && near(a.acceleration, b.acceleration) &&
            near(a.retract_acceleration, b.retract_acceleration) &&
-           near(a.travel_acceleration, b.travel_acceleration);
+           near(a.travel_acceleration, b.travel_acceleration) &&
+           near(a.junction_deviation, b.junction_deviation) &&
+           near(a.max_velocity, b.max_velocity) &&
+           near(a.max_acceleration_head, b.max_acceleration_head) &&
+           near(a.square_corner_velocity, b.square_corner_velocity) &&
+           near(a.minimum_cruise_ratio, b.minimum_cruise_ratio);
 }
 bool near(const LayerStart& a, const LayerStart& b) {
     return near(a.z, b.z) && near(a.height, b.height);
@@ -114,6 +123,30 @@ TEST(Writer, writes_short_lines_that_a_slicers_user_knows) {
               "; one\n; two\nG21\nG90\nM83\nG28\n;LAYER_CHANGE\n;Z:0.2\n;HEIGHT:0.2\n"
               "G1 X10 Y-0.5 Z0.2 F7800\n;TYPE:External perimeter\n;WIDTH:0.45\nG1 X20 E1.5\n"
               "G1 X20.063 E0.01235 F740.736\n");
+}
+
+TEST(Writer, tells_arcs_by_their_centre_from_the_start) {
+    const Move quarter{{10, 10, 0, 0.5}, 10, Role::wall, {0.45, 0.2}};
+    const Move rise{{10, 20, 10, 0.5}, 10, Role::travel, {}};
+    EXPECT_EQ(text_of({{Arc{quarter, {10, 0}, true, Plane::xy, 0}, 0},
+                       {Arc{rise, {10, 10}, false, Plane::yz, 2}, 0}},
+                      {.header = ""}),
+              "G21\nG90\nM83\n;TYPE:Perimeter\n;WIDTH:0.45\n;HEIGHT:0.2\n"
+              "G2 I10 J0 X10 Y10 E0.5 F600\nG19\nG3 J0 K10 P2 Y20 Z10\n");
+}
+
+TEST(Writer, tells_each_firmwares_limits) {
+    SetLimits marlin;
+    marlin.jerk[axis_e] = 5;
+    marlin.junction_deviation = 0.0135;
+    const SetLimits klipper{.max_velocity = 300,
+                            .max_acceleration_head = 5000,
+                            .square_corner_velocity = 5.5,
+                            .minimum_cruise_ratio = 0.125};
+    EXPECT_EQ(text_of({{marlin, 0}, {klipper, 0}}, {.header = ""}),
+              "G21\nG90\nM83\nM205 E5 J0.0135\n"
+              "SET_VELOCITY_LIMIT VELOCITY=300 ACCEL=5000 SQUARE_CORNER_VELOCITY=5.5 "
+              "MINIMUM_CRUISE_RATIO=0.125\n");
 }
 
 struct Commas : std::numpunct<char> {
