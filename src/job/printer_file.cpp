@@ -99,6 +99,15 @@ PowerModel read_power(TomlReader& file, const PowerModel& p) {
             .uncertainty = read_uncertainty(file, p.uncertainty)};
 }
 
+// Left out, a delta has the usual proportions: arms that reach well across the bed.
+Delta read_delta(TomlReader& file, double bed) {
+    Delta d;
+    d.radius = file.number("delta.radius_mm", 0.7 * bed, positive);
+    d.arm = file.number("delta.arm_mm", 1.9 * d.radius, {.low = d.radius, .open_low = true});
+    d.head_mass = file.number("delta.head_mass_kg", d.head_mass, not_negative);
+    return d;
+}
+
 Printer read_printer(const DataFile& data, const std::string& name, const Printer& usually) {
     TomlReader file(data.text, data.place);
     Printer printer;
@@ -106,6 +115,7 @@ Printer read_printer(const DataFile& data, const std::string& name, const Printe
     printer.kinematics = static_cast<Kinematics>(
         file.choice("kinematics", static_cast<std::size_t>(usually.kinematics), kinematics_names));
     printer.bed = file.numbers("bed_mm", usually.bed, positive);
+    printer.delta = read_delta(file, printer.bed[0]);
     printer.nozzle = file.number("nozzle_mm", usually.nozzle, positive);
     printer.filament = file.number("filament_mm", usually.filament, positive);
     printer.limits = read_limits(file, usually.limits);

@@ -79,6 +79,20 @@ TEST(PrinterFile, ReadsEveryKeyOfTheContract) {
     EXPECT_TRUE(l.slowdown);
 }
 
+TEST(PrinterFile, DeltaHasItsOwnGeometryOrTheUsualProportions) {
+    const ScratchFile told("told.toml",
+                           "kinematics = \"delta\"\n"
+                           "[delta]\nradius_mm = 150\narm_mm = 300\nhead_mass_kg = 0.2\n");
+    const Delta mine = load_printer(told.path()).delta;
+    EXPECT_EQ(mine.radius, 150);
+    EXPECT_EQ(mine.arm, 300);
+    EXPECT_EQ(mine.head_mass, 0.2);
+    const ScratchFile silent("silent.toml", "kinematics = \"delta\"\nbed_mm = [200, 200, 300]\n");
+    const Printer usual = load_printer(silent.path());
+    EXPECT_GT(usual.delta.arm, usual.delta.radius + 100);  // reaches the far edge
+    EXPECT_EQ(middle_of_bed(usual), (Vec2{0, 0}));
+}
+
 TEST(PrinterFile, LeftEmptyIsTheUsualPrinter) {
     const ScratchFile file("mine.toml", "");
     const Printer mine = load_printer(file.path()), usual = load_printer("prusa-mk3s");
@@ -125,6 +139,8 @@ TEST(PrinterFile, RefusesWhatCannotBe) {
              Wrong{"[limits]\njerk_mm_s = [10, 10, inf, 5]", "must be above 0"},
              Wrong{"[power]\nsupply_efficiency = 1.5", "above 0 and at most 1"},
              Wrong{"[power.bed]\nresistance_k_w = 0", "must be above 0"},
+             Wrong{"[delta]\nradius_mm = 100\narm_mm = 100",
+                   "delta.arm_mm is 100 but must be above"},
              Wrong{"nozzle_mm = = 4", ":1: not valid TOML"},
          })
         EXPECT_NE(complaint(wrong.text).find(wrong.says), std::string::npos)
