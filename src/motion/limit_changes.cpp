@@ -24,6 +24,12 @@ Limits changed(Limits limits, const SetLimits& change) {
     put(limits.acceleration, change.acceleration);
     put(limits.retract_acceleration, change.retract_acceleration);
     put(limits.travel_acceleration, change.travel_acceleration);
+    put(limits.junction_deviation, change.junction_deviation);
+    put(limits.max_feedrate[axis_x], change.max_velocity);
+    put(limits.max_feedrate[axis_y], change.max_velocity);
+    put(limits.square_corner_velocity, change.square_corner_velocity);
+    if (change.minimum_cruise_ratio && *change.minimum_cruise_ratio >= 0)
+        limits.minimum_cruise_ratio = *change.minimum_cruise_ratio;
     return limits;
 }
 

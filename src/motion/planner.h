@@ -1,9 +1,8 @@
 // A firmware's motion planner, from commands to timed blocks, as a stream: memory is bounded by the
 // look-ahead. Whose planner it is, is chosen by name; each has a file of its own.
 //
-//     const auto planner = make_planner(limits, {Firmware::klipper}, [&](const MotionEvent& e) {…});
-//     for (const Command& command : program) planner->add(command);
-//     planner->finish();
+//     const auto planner = make_planner(limits, {Firmware::klipper}, [&](const MotionEvent& e)
+//     {…}); for (const Command& command : program) planner->add(command); planner->finish();
 #pragma once
 #include <memory>
 
@@ -21,7 +20,7 @@ class Planner {
     Planner& operator=(const Planner&) = delete;
 
     virtual void add(const Command& command) = 0;
-    virtual void finish() = 0;  // the queue runs dry
+    virtual void finish() = 0;                               // the queue runs dry
     [[nodiscard]] virtual const Limits& limits() const = 0;  // as they stand now
 };
 

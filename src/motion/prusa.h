@@ -1,21 +1,15 @@
 // The motion planner of Prusa's 8-bit firmware (Prusa-Firmware commit 6dbf35f6 of 2023-03-24,
-// planner.cpp), from commands to timed blocks, as a stream: memory is bounded by the look-ahead.
+// planner.cpp; that of March 2017 differs in what quirks_2017 says), from commands to timed blocks.
 //
 // Every move becomes whole steps, one block with nominal speed and acceleration. A block may be
 // entered no faster than the jerk limits of its junction allow and no faster than it can brake
-// before what follows; those entry speeds come from a backward and a forward sweep over the queue.
-// docs/motion.md tells the whole story with the places where the firmware is not what physics would
-// ask; each of those is a switch below.
-//
-//     PrusaPlanner planner(limits, {}, [&](const MotionEvent& event) { … });
-//     for (const Command& command : program) planner.add(command);
-//     planner.finish();
+// before what follows (look_ahead.h). docs/motion.md tells the whole story with the places where
+// the firmware is not what physics would ask; each of those is a switch below.
 #pragma once
-#include <deque>
-#include <vector>
-
-#include "machine/limits.h"
+#include "motion/arc_chords.h"
+#include "motion/look_ahead.h"
 #include "motion/planner.h"
+#include "motion/step_frame.h"
 
 namespace bead {
 
@@ -40,71 +34,79 @@ struct PrusaQuirks {
         true;  // blocks that reach nominal speed from their own safe speed skip the sweeps
     bool at_most_stays =
         true;  // an entry that once was at its junction's maximum is not looked at again
+    bool travel_acceleration = true;  // moves without filament have an acceleration of their own
+    bool any_e_drains = true;         // G92 E waits for the queue to run dry, E0 alone does not
 };
 constexpr PrusaQuirks faithful_quirks() { return {}; }
-constexpr PrusaQuirks corrected_quirks() {
-    return {false, false, false, false, false, false, false, false, false};
+// Without what is wrong; how the version reads its commands stays.
+constexpr PrusaQuirks corrected(const PrusaQuirks& quirks) {
+    return {false,
+            false,
+            false,
+            false,
+            false,
+            false,
+            false,
+            false,
+            false,
+            quirks.travel_acceleration,
+            quirks.any_e_drains};
+}
+constexpr PrusaQuirks corrected_quirks() { return corrected(faithful_quirks()); }
+// March 2017 kept its flags in a bool, so that two of them were lost; one acceleration for all
+// moves of the head; G92 drains unless the line has an E.
+constexpr PrusaQuirks quirks_2017() {
+    PrusaQuirks quirks;
+    quirks.unbounded_halt = quirks.nominal_shortcut = false;
+    quirks.travel_acceleration = quirks.any_e_drains = false;
+    return quirks;
 }
 
 struct PrusaOptions {
     PrusaQuirks quirks;
     int lookahead = 16;  // ring size; one place stays free and one block runs. 0: unlimited
+    ArcStyle arcs = ArcStyle::prusa;
 };
 
 class PrusaPlanner final : public Planner {
   public:
     PrusaPlanner(const Limits& limits, const PrusaOptions& options, MotionSink sink);
     void add(const Command& command) override;
-    void finish() override;
+    void finish() override { drain(); }
     [[nodiscard]] const Limits& limits() const override { return limits_; }
 
   private:
-    struct Planned {
-        Block block;
-        double max_entry = 0;    // mm/s, what the junction allows
-        double brake_entry = 0;  // mm/s, from which what follows can be braked for
-        double entry = 0;        // mm/s, which the blocks before can reach too
-        double safe = 0;         // mm/s, from which it may stop dead
-        bool halt = false;       // starts from a full halt
-        bool nominal = false;    // reaches its nominal speed from its safe speed
-        bool pinned = false;     // entry is final
-        bool running = false;    // exit (block.v_exit) is final too
-        std::vector<MotionEvent> before;
-    };
+    template <class P>
+    friend struct Obey;
+    template <class P>
+    friend void obey(P& planner, const Command& command);
     struct Previous {  // the block added last
         PerAxis<double> speed{};
         double nominal = 0, safe = 0;
     };
 
     void move(const Move& move, std::int64_t line);
+    void arc(const Arc& arc, std::int64_t line);
     void set_position(const SetPosition& position);
-    void pass(const MotionEvent& event);
+    void home(const Home& home);
+    void change(const SetLimits& limits);
+    void pass(const MotionEvent& event) { queue_.pass(event); }
     void drain();
-    void enqueue(Planned planned);
-    [[nodiscard]] double path_acceleration(const PerAxis<std::int64_t>& steps,
-                                           const Block& b) const;
-    [[nodiscard]] double safe_speed(const Block& block, const PerAxis<double>& speed) const;
-    [[nodiscard]] double junction_speed(const Block& block, const PerAxis<double>& speed) const;
-    void enter(Planned& planned, const PerAxis<double>& speed);
-    void sweep();
-    std::size_t sweep_back();
-    void sweep_forward(std::size_t unchanged);
-    [[nodiscard]] double end_speed(std::size_t k) const;
-    void release(std::size_t count);
-    void release_front();
-    void run_front();
-    [[nodiscard]] bool is_apart(const Planned& planned) const;
-    [[nodiscard]] std::size_t settled() const;
+    void measure(const Move& move, const StepMove& taken, Block& block,
+                 PerAxis<double>& speed) const;
+    [[nodiscard]] double path_acceleration(const StepMove& taken, const Block& block) const;
+    [[nodiscard]] double safe_speed(double nominal, const PerAxis<double>& speed) const;
+    [[nodiscard]] double junction_speed(double nominal, const PerAxis<double>& speed) const;
+    [[nodiscard]] Junction enter(const Block& block, const PerAxis<double>& speed);
 
     Limits limits_;
-    PrusaOptions options_;
-    MotionSink sink_;
-    std::deque<Planned> queue_;
-    std::vector<MotionEvent> pending_;  // to be passed on before the next block
-    PerAxis<std::int64_t> steps_{};     // where the machine is
+    PrusaQuirks quirks_;
+    ArcStyle arcs_;
+    LookAhead queue_;
+    StepFrame frame_;
+    Position place_{};  // mm, as told
     Previous previous_;
     std::int64_t since_drain_ = 0;  // blocks since the queue last ran dry
-    std::size_t next_look_ = 0;     // queue length at which to look for settled blocks
 };
 
 }  // namespace bead

@@ -9,19 +9,30 @@ namespace bead {
 
 Trapezoid trapezoid(double length, double v_nominal, double v_entry, double v_exit,
                     double acceleration) {
+    const double v0 = std::max(0.0, v_entry), v1 = std::max(0.0, v_exit);
+    return trapezoid_of_squares(length, v_nominal, v0 * v0, v1 * v1, acceleration);
+}
+
+Trapezoid trapezoid_of_squares(double length, double v_nominal, double entry2, double exit2,
+                               double acceleration) {
     BEAD_EXPECTS(length > 0 && v_nominal > 0 && acceleration > 0);
     const double room = 2 * acceleration * length;  // most by which v² can change
-    const double v0 = std::clamp(v_entry, 0.0, v_nominal);
-    const double lowest = std::sqrt(std::max(0.0, v0 * v0 - room));
-    const double v1 = std::clamp(std::min(v_exit, v_nominal), lowest, std::sqrt(v0 * v0 + room));
+    const double most = v_nominal * v_nominal;
+    const double in = std::min(entry2, most);
+    const double out = std::clamp(std::min(exit2, most), std::max(0.0, in - room), in + room);
 
-    const double apex = std::sqrt((room + v0 * v0 + v1 * v1) / 2);
-    const double peak = std::min(v_nominal, std::max({apex, v0, v1}));
-    Trapezoid t{v0, peak, v1, (peak - v0) / acceleration, 0, (peak - v1) / acceleration};
-    if (apex > v_nominal) {
-        const double ramps = (2 * peak * peak - v0 * v0 - v1 * v1) / (2 * acceleration);
-        t.t_cruise = (length - ramps) / peak;
+    Trapezoid t;
+    t.v_entry = in < most ? std::sqrt(in) : v_nominal;
+    t.v_exit = out < most ? std::sqrt(out) : v_nominal;
+    const double apex = (room + in + out) / 2;  // squared
+    if (apex > most) {
+        t.v_peak = v_nominal;
+        t.t_cruise = (length - (2 * most - in - out) / (2 * acceleration)) / v_nominal;
+    } else {
+        t.v_peak = std::max({std::sqrt(apex), t.v_entry, t.v_exit});
     }
+    t.t_accel = (t.v_peak - t.v_entry) / acceleration;
+    t.t_decel = (t.v_peak - t.v_exit) / acceleration;
     return t;
 }
 

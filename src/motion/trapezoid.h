@@ -16,4 +16,8 @@ struct Trapezoid {
 Trapezoid trapezoid(double length, double v_nominal, double v_entry, double v_exit,
                     double acceleration);
 
+// The same for who has the squares of both speeds, (mm/s)²: it saves roots.
+Trapezoid trapezoid_of_squares(double length, double v_nominal, double entry2, double exit2,
+                               double acceleration);
+
 }  // namespace bead

@@ -2,19 +2,19 @@
 #pragma once
 #include <vector>
 
-#include "motion/prusa.h"
+#include "motion/planner.h"
 
 namespace bead::test {
 
 // `feed(sink)` gives the commands.
 template <class Feed>
-std::vector<Block> planned(const Limits& limits, const PrusaOptions& options, const Feed& feed) {
+std::vector<Block> planned(const Limits& limits, const PlannerOptions& options, const Feed& feed) {
     std::vector<Block> blocks;
-    PrusaPlanner planner(limits, options, [&](const MotionEvent& event) {
+    const auto planner = make_planner(limits, options, [&](const MotionEvent& event) {
         if (const Block* block = std::get_if<Block>(&event)) blocks.push_back(*block);
     });
-    feed([&](const Command& command) { planner.add(command); });
-    planner.finish();
+    feed([&](const Command& command) { planner->add(command); });
+    planner->finish();
     return blocks;
 }
 
