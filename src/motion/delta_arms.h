@@ -35,11 +35,19 @@ class Carriage {
         const double level = dot(lean, flat(step_));
         return {lean, step_.z + level, -(flat_ + level * level) * upright};
     }
-    // Where it would stand for a moment; not a number if nowhere.
+    // Where it would stand for a moment; not a number if nowhere, as for the point below.
     [[nodiscard]] double turning_point() const {
         const double steep =
             std::sqrt((along_ * along_ + flat_ * reach_) / (flat_ + step_.z * step_.z));
         return (step_.z * steep - along_) / flat_;
+    }
+
+    // While the head's acceleration along the line is constant, that of the carriage times the cube
+    // of the arm's height only rises, or only falls, on either side of this point.
+    [[nodiscard]] double splitting_point() const {
+        const double c = along_ * along_ + flat_ * reach_;
+        const double lean = std::sqrt(flat_ * c / (flat_ + step_.z * step_.z));
+        return (-std::copysign(lean, step_.z) - along_) / flat_;
     }
 
   private:

@@ -4,7 +4,6 @@
 
 #include "core/expects.h"
 #include "motion/delta_arms.h"
-#include "motion/integral.h"
 #include "motion/linear_drive.h"
 #include "motion/phases.h"
 
@@ -12,7 +11,6 @@ namespace bead {
 namespace {
 
 constexpr double standstill = 1e-9;  // mm; positions are whole steps, less is rounding
-constexpr double accuracy = 1e-6;    // of the greatest speed squared
 
 double square(double x) { return x * x; }
 
@@ -43,18 +41,40 @@ double way(const Carriage& carriage, double from, double to) {
     return (top - start) + (top - end);
 }
 
-// A motor that goes with speed q = h'(s) v(s) gains ∫ q (dq/dt) dt; over the way that is
-// ∫ h' (h'' v² + h' a) ds, its positive part while q grows in size.
-void add_changes(MotorMotion& motion, const Carriage& carriage, const Phase& phase,
-                 double tolerance) {
-    const auto change = [&](double s) {
+double between(double from, double value, double to) {
+    return value > from && value < to ? value : from;
+}
+
+// Where f, of one sign at `from` and of the other at `to`, is zero; `from` if it does not change.
+template <class Function>
+double crossing(const Function& f, double from, double to) {
+    const bool positive = f(from) > 0;
+    if (positive == (f(to) > 0)) return from;
+    for (int i = 0; i < 60; ++i) {
+        const double middle = (from + to) / 2;
+        ((f(middle) > 0) == positive ? from : to) = middle;
+    }
+    return from;
+}
+
+// A motor's speed is q = h'(s) v(s). Its square has an end of rise or fall only where q is zero
+// or does not change, h'' v² + h' a = 0; in between, half the difference is what it gains or loses.
+void add_changes(MotorMotion& motion, const Carriage& carriage, const Phase& phase) {
+    const auto pace = [&](double s) {
         const Carriage::Slope h = carriage.slope(s);
-        const double dq = h.rate * (h.bend * squared_speed(phase, s) + h.rate * phase.acceleration);
-        return std::array{std::max(0.0, dq), std::max(0.0, -dq)};
+        return h.bend * squared_speed(phase, s) + h.rate * phase.acceleration;
     };
-    const auto [gained, lost] = integral(change, phase.from, phase.to, tolerance);
-    motion.gained += gained;
-    motion.lost += lost;
+    const double split = between(phase.from, carriage.splitting_point(), phase.to);
+    std::array<double, 5> stops{phase.from, between(phase.from, carriage.turning_point(), phase.to),
+                                crossing(pace, phase.from, split), crossing(pace, split, phase.to),
+                                phase.to};
+    std::ranges::sort(stops);
+    double before = 0;
+    for (const double s : stops) {
+        const double now = square(carriage.slope(s).rate) * squared_speed(phase, s) / 2;
+        if (s > phase.from) (now > before ? motion.gained : motion.lost) += std::abs(now - before);
+        before = now;
+    }
 }
 
 MotorMotion carriage_motion(const Carriage& carriage, const Block& block) {
@@ -65,8 +85,7 @@ MotorMotion carriage_motion(const Carriage& carriage, const Block& block) {
     motion.coast = way(carriage, phases[1].from, phases[1].to);
     if (motion.way < standstill) motion.hold = duration(block);
     for (const Phase& phase : phases)
-        if (phase.to > phase.from)
-            add_changes(motion, carriage, phase, accuracy * square(block.v_peak) / 3);
+        if (phase.to > phase.from) add_changes(motion, carriage, phase);
     return motion;
 }
 

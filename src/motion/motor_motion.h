@@ -25,9 +25,9 @@ struct MotorMotion {
 // Of all but a delta.
 PerAxis<MotorMotion> motor_motion(Kinematics kinematics, const Block& block);
 
-// Of a delta whose head starts over `from` (mm). Displacements, ways and coasting are exact, gained
-// and lost come by quadrature, to 10⁻⁶ of the head's greatest speed squared. Throws Error where the
-// arms do not reach.
+// Of a delta whose head starts over `from` (mm); all in closed form, but for the points where a
+// carriage's speed is greatest or least, which are found by halving. Throws Error where the arms do
+// not reach.
 PerAxis<MotorMotion> motor_motion(const Delta& delta, Vec2 from, const Block& block);
 
 }  // namespace bead
