@@ -28,6 +28,13 @@ void expect_sound(const PowerModel& power) {
                  (power.hotend.resistance_still > 0 && power.hotend.resistance_blown > 0));
 }
 
+Printer cartesian_printer(const PowerModel& power, double filament) {
+    Printer printer;
+    printer.power = power;
+    printer.filament = filament;
+    return printer;
+}
+
 }  // namespace
 
 Energy operator+(const Energy& a, const Energy& b) {
@@ -46,16 +53,23 @@ double total(const Energy& energy) {
 
 EnergyMeter::EnergyMeter(const PowerModel& power, const Material& material,
                          double filament_diameter)
-    : power_(power),
+    : EnergyMeter(cartesian_printer(power, filament_diameter), material) {}
+
+EnergyMeter::EnergyMeter(const Printer& printer, const Material& material)
+    : power_(printer.power),
       material_(material),
-      grams_per_mm_(pi / 4 * filament_diameter * filament_diameter * material.density * 1e-3),
-      wall_(1 / power.supply_efficiency),
-      bed_wall_(bed_supply(power)),
-      hotend_(power.hotend.heater, power.hotend.capacity, power.ambient),
-      bed_(power.bed.heater, power.bed.capacity, power.ambient) {
-    expect_sound(power);
-    for (const Motor& motor : power.motors) standing_ += motor.standing;
-    standing_xy_ = power.motors[axis_x].standing + power.motors[axis_y].standing;
+      kinematics_(printer.kinematics),
+      delta_(printer.delta),
+      grams_per_mm_(pi / 4 * printer.filament * printer.filament * material.density * 1e-3),
+      wall_(1 / power_.supply_efficiency),
+      bed_wall_(bed_supply(power_)),
+      hotend_(power_.hotend.heater, power_.hotend.capacity, power_.ambient),
+      bed_(power_.bed.heater, power_.bed.capacity, power_.ambient) {
+    expect_sound(power_);
+    for (std::size_t slot = 0; slot < power_.motors.size(); ++slot) {
+        standing_ += power_.motors[slot].standing;
+        if (turns_in_xy(kinematics_, slot)) standing_xy_ += power_.motors[slot].standing;
+    }
 }
 
 void EnergyMeter::add(const MotionEvent& event) {
@@ -70,9 +84,16 @@ EnergyReport EnergyMeter::report() const {
 
 void EnergyMeter::take(const Block& block) {
     pass({.duration = duration(block),
-          .motors = motor_draw(power_.motors, block),
+          .motors = motors_of(block),
           .melt = melted(block.delta[axis_e]),
           .role = block.role});
+}
+
+MotorDraw EnergyMeter::motors_of(const Block& block) {
+    if (kinematics_ != Kinematics::delta) return motor_draw(power_.motors, block, kinematics_);
+    const Vec2 from = head_;
+    head_ = head_ + Vec2{block.delta[axis_x], block.delta[axis_y]};
+    return delta_draw(power_.motors, delta_, from, block);
 }
 
 void EnergyMeter::take(const Dwell& dwell) { pass({.duration = dwell.duration}); }

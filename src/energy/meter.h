@@ -1,17 +1,18 @@
 // The physics model: what the whole machine draws while it heats up and prints, by consumer, layer
 // and role (docs/energy.md has the formulas and what is still left out).
 //
-//     EnergyMeter meter(printer.power, material, printer.filament);
+//     EnergyMeter meter(printer, material);
 //     simulate(commands, …, [&](const MotionEvent& event) { meter.add(event); });
 //     const EnergyReport report = meter.report();
 #pragma once
 #include <array>
 #include <vector>
 
+#include "energy/delta_motors.h"
 #include "energy/heated_body.h"
 #include "energy/motors.h"
 #include "machine/material.h"
-#include "machine/power.h"
+#include "machine/printer.h"
 #include "motion/block.h"
 
 namespace bead {
@@ -39,7 +40,7 @@ struct EnergyReport {
     double heat_up_duration = 0;  // s
     double before_layers = 0;     // J, of it before the first layer, waits apart
     double duration = 0;          // s, of all but the waits
-    double xy_motors = 0;         // J, of it the X and Y motors, standing included
+    double xy_motors = 0;         // J, of it the motors that move X and Y, standing included
     double peak_power = 0;        // W, at the wall, pulses of heaters averaged out
     double co2 = 0;               // g
     std::vector<LayerEnergy> by_layer;
@@ -49,10 +50,17 @@ struct EnergyReport {
 // Each event is taken in constant time; memory grows only with the number of layers.
 class EnergyMeter {
   public:
-    // Diameter in mm. Expects a positive supply efficiency, motors with positive efficiency and, of
-    // each heater that can draw anything, a positive capacity and resistance.
+    // Expects a positive supply efficiency, motors with positive efficiency and, of each heater
+    // that can draw anything, a positive capacity and resistance.
+    EnergyMeter(const Printer& printer, const Material& material);
+    // A cartesian machine of that power; the filament's diameter in mm.
     EnergyMeter(const PowerModel& power, const Material& material, double filament_diameter);
     void add(const MotionEvent& event);
+    // Where the head of a delta stands now, mm; at first over the middle. `add` follows it from
+    // there, and throws Error for a block beyond the reach of the arms. Other kinematics do not
+    // care.
+    void place(Vec2 head) { head_ = head; }
+    [[nodiscard]] Vec2 place() const { return head_; }
     [[nodiscard]] EnergyReport report() const;
 
   private:
@@ -71,6 +79,7 @@ class EnergyMeter {
     void take(const SetFan& fan);
     void take(const LayerStart& layer);
 
+    MotorDraw motors_of(const Block& block);
     void pass(const Stretch& stretch);
     void book(const Stretch& stretch, const Energy& energy);
     double melted(double filament);  // g
@@ -80,6 +89,9 @@ class EnergyMeter {
 
     PowerModel power_;
     Material material_;
+    Kinematics kinematics_;
+    Delta delta_;
+    Vec2 head_;
     double grams_per_mm_;     // of filament
     double standing_ = 0;     // W, all motors
     double standing_xy_ = 0;  // W

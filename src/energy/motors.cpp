@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/expects.h"
+#include "motion/linear_drive.h"
+
 namespace bead {
 
 namespace {
@@ -10,51 +13,71 @@ namespace {
 constexpr double newton_mm = 1e-3;      // J
 constexpr double kg_mm2_per_s2 = 1e-6;  // J
 
-// Path lengths of the three phases, mm.
-struct Phases {
+// Per mm of the head's way, J/mm; or with the phases' ways put in, J.
+struct Phased {
     double accelerating = 0, cruising = 0, braking = 0;
+    Phased& operator+=(const Phased& other) {
+        accelerating += other.accelerating;
+        cruising += other.cruising;
+        braking += other.braking;
+        return *this;
+    }
 };
 
-Phases phases_of(const Block& block) {
+double dot(const Phased& a, const Phased& b) {
+    return a.accelerating * b.accelerating + a.cruising * b.cruising + a.braking * b.braking;
+}
+
+// mm of the head's way.
+Phased ways_of(const Block& block) {
     return {(block.v_entry + block.v_peak) / 2 * block.t_accel, block.v_peak * block.t_cruise,
             (block.v_peak + block.v_exit) / 2 * block.t_decel};
 }
 
-// Cost per mm of axis travel in the three phases, J/mm.
-struct AxisCost {
-    double accelerating = 0, cruising = 0, braking = 0;
-};
-
-AxisCost cost_of(const Motor& motor, double acceleration) {
-    const double friction = motor.friction * newton_mm;
-    const double inertia = motor.moving_mass * acceleration * kg_mm2_per_s2;
-    const auto cost = [&](double force) {
-        return motor.per_speed + std::max(0.0, force) / motor.efficiency;
-    };
-    return {cost(friction + inertia), cost(friction), cost(friction - inertia)};
+// `rate`: mm of the motor per mm of the head; `drag`, `inertia`: its pull while cruising, and more
+// while speeding up (N).
+Phased cost_of(const Motor& motor, double rate, double drag, double inertia) {
+    const double loss = motor.per_speed * std::abs(rate);
+    const double steady = drag * rate, extra = inertia * rate;
+    const auto cost = [&](double work) { return loss + std::max(0.0, work) / motor.efficiency; };
+    return {cost(steady + extra), cost(steady), cost(steady - extra)};
 }
 
-double dearest(const Block& block, const AxisCost& cost) {
-    if (block.t_accel > 0) return cost.accelerating;
-    return block.t_cruise > 0 ? cost.cruising : cost.braking;
+double dearest(const Block& block, const Phased& cost) {
+    return std::max({block.t_accel > 0 ? cost.accelerating : 0,
+                     block.t_cruise > 0 ? cost.cruising : 0, block.t_decel > 0 ? cost.braking : 0});
+}
+
+template <Kinematics kind>
+MotorDraw draw(const std::array<Motor, 4>& motors, const Block& block) {
+    PerAxis<double> share{}, drag{}, inertia{};
+    for (std::size_t axis = 0; axis < motors.size(); ++axis) {
+        const double u = block.delta[axis] / block.length;
+        share[axis] = u;
+        if (u != 0) drag[axis] = std::copysign(motors[axis].friction * newton_mm, u);
+        inertia[axis] = motors[axis].moving_mass * block.acceleration * u * kg_mm2_per_s2;
+    }
+    const PerAxis<double> rate = motors_of<kind>(share);
+    const PerAxis<double> drag_pull = pulls_of<kind>(drag), inertia_pull = pulls_of<kind>(inertia);
+    Phased xy, other;
+    for (std::size_t slot = 0; slot < motors.size(); ++slot)
+        (turns_in_xy(kind, slot) ? xy : other) +=
+            cost_of(motors[slot], rate[slot], drag_pull[slot], inertia_pull[slot]);
+    Phased all = xy;
+    all += other;
+    const Phased way = ways_of(block);
+    return {dot(way, xy), dot(way, all), block.v_peak * dearest(block, all)};
 }
 
 }  // namespace
 
-MotorDraw motor_draw(const std::array<Motor, 4>& motors, const Block& block) {
-    MotorDraw draw;
-    if (block.length <= 0) return draw;
-    const Phases way = phases_of(block);
-    for (std::size_t axis = 0; axis < motors.size(); ++axis) {
-        const double share = std::abs(block.delta[axis]) / block.length;
-        const AxisCost cost = cost_of(motors[axis], block.acceleration * share);
-        const double joules = share * (cost.accelerating * way.accelerating +
-                                       cost.cruising * way.cruising + cost.braking * way.braking);
-        draw.all += joules;
-        if (axis == axis_x || axis == axis_y) draw.xy += joules;
-        draw.peak += share * block.v_peak * dearest(block, cost);
-    }
-    return draw;
+MotorDraw motor_draw(const std::array<Motor, 4>& motors, const Block& block,
+                     Kinematics kinematics) {
+    BEAD_EXPECTS(kinematics != Kinematics::delta);
+    if (block.length <= 0) return {};
+    if (kinematics == Kinematics::corexy) return draw<Kinematics::corexy>(motors, block);
+    if (kinematics == Kinematics::corexz) return draw<Kinematics::corexz>(motors, block);
+    return draw<Kinematics::cartesian>(motors, block);
 }
 
 }  // namespace bead

@@ -74,6 +74,55 @@ RC_GTEST_PROP(EnergyMeter, LosesNothing, ()) {
     RC_ASSERT(all <= r.peak_power * (r.duration + r.heat_up_duration) * (1 + 1e-9));
 }
 
+constexpr std::array machines{Kinematics::cartesian, Kinematics::corexy, Kinematics::corexz,
+                              Kinematics::delta};
+
+Printer printer_of(Kinematics kinematics) {
+    Printer printer;
+    printer.kinematics = kinematics;
+    printer.delta = {.arm = 4000, .radius = 2000, .head_mass = 0.3};  // any print is in reach
+    printer.filament = thin;
+    printer.power = desktop();
+    return printer;
+}
+
+EnergyReport measured(const Stream& stream, Kinematics kinematics) {
+    EnergyMeter meter(printer_of(kinematics), plain);
+    for (const MotionEvent& event : stream) meter.add(event);
+    return meter.report();
+}
+
+RC_GTEST_PROP(EnergyMeter, LosesNothingOnAnyKinematics, ()) {
+    const Stream stream = any_print();
+    const EnergyReport cartesian = measured(stream);
+    for (const Kinematics kinematics : machines) {
+        const EnergyReport r = measured(stream, kinematics);
+        const double all = total(r.energy);
+        RC_ASSERT(near(all, std::accumulate(r.by_role.begin(), r.by_role.end(), 0.0)));
+        RC_ASSERT(near(all, r.heat_up + r.before_layers + sum_of_layers(r)));
+        RC_ASSERT(near(all - r.energy.motors, total(cartesian.energy) - cartesian.energy.motors));
+        RC_ASSERT(r.xy_motors <= r.energy.motors);
+        RC_ASSERT(all <= r.peak_power * (r.duration + r.heat_up_duration) * (1 + 1e-9));
+    }
+    RC_ASSERT(total(measured(stream, Kinematics::cartesian).energy) == total(cartesian.energy));
+}
+
+TEST(EnergyMeter, FollowsTheHeadOfADelta) {
+    Printer printer = printer_of(Kinematics::delta);
+    printer.delta = {.arm = 300, .radius = 160, .head_mass = 0.3};
+    printer.power.supply_efficiency = 1;
+    for (Motor& motor : printer.power.motors) motor.standing = 0;
+    const Block there = trapezoid({60, 0, 0, 0}, 0, 0, 80, 1000);
+    const Block back = trapezoid({-60, 0, 0, 0}, 0, 0, 80, 1000);
+    EnergyMeter meter(printer, plain);
+    meter.place({20, 10});
+    for (const Block& block : {there, back, there}) meter.add(block);
+    EXPECT_EQ(meter.place(), (Vec2{80, 10}));
+    const double out = delta_draw(printer.power.motors, printer.delta, {20, 10}, there).all;
+    const double home = delta_draw(printer.power.motors, printer.delta, {80, 10}, back).all;
+    EXPECT_NEAR(meter.report().energy.motors, 2 * out + home, 1e-9);
+}
+
 RC_GTEST_PROP(EnergyMeter, DoesNotCareWhereAPrintStands, ()) {
     Stream stream = any_print(), mirrored = stream;
     for (MotionEvent& event : mirrored)

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "geom/vec.h"
 #include "support/blocks.h"
 #include "support/power_twin.h"
 
@@ -55,6 +56,92 @@ RC_GTEST_PROP(MotorDraw, ExchangesWithTheAxes, ()) {
     std::swap(turned.delta[axis_x], turned.delta[axis_y]);
     const MotorDraw a = motor_draw(motors, block), b = motor_draw(motors, turned);
     RC_ASSERT(std::abs(a.xy - b.xy) <= 1e-12 * a.xy && std::abs(a.all - b.all) <= 1e-12 * a.all);
+}
+
+// A CoreXY by small steps: forces along the axes, halves of their sum and difference on the belts.
+double core_by_steps(const std::array<Motor, 4>& motors, const Block& b, int steps) {
+    const auto phase = [&](double v0, double v1, double seconds) {
+        double joules = 0;
+        for (int k = 0; seconds > 0 && k < steps; ++k) {
+            const double speed = v0 + (v1 - v0) * (k + 0.5) / steps, a = (v1 - v0) / seconds;
+            std::array<double, 2> v{}, f{};  // m/s, N
+            for (std::size_t i = 0; i < 2; ++i) {
+                const double u = b.delta[i] / b.length;
+                v[i] = u * speed / 1000;
+                f[i] = motors[i].moving_mass * u * a / 1000 + (u > 0   ? motors[i].friction
+                                                               : u < 0 ? -motors[i].friction
+                                                                       : 0);
+            }
+            const std::array<double, 2> w{v[0] + v[1], v[0] - v[1]},
+                pull{(f[0] + f[1]) / 2, (f[0] - f[1]) / 2};
+            for (std::size_t m = 0; m < 2; ++m)
+                joules += seconds / steps *
+                          (motors[m].per_speed * std::abs(w[m]) * 1000 +
+                           std::max(0.0, pull[m] * w[m]) / motors[m].efficiency);
+        }
+        return joules;
+    };
+    return phase(b.v_entry, b.v_peak, b.t_accel) + phase(b.v_peak, b.v_peak, b.t_cruise) +
+           phase(b.v_peak, b.v_exit, b.t_decel);
+}
+
+RC_GTEST_PROP(CoreDraw, AgreesWithSmallSteps, ()) {
+    const std::array<Motor, 4> motors{any_motor(), any_motor(), any_motor(), any_motor()};
+    const Block block = any_block();
+    const double twin = core_by_steps(motors, block, 3000);
+    RC_ASSERT(std::abs(motor_draw(motors, block, Kinematics::corexy).xy - twin) <=
+              1e-3 * twin + 1e-9);
+}
+
+RC_GTEST_PROP(CoreDraw, TurnedByAnEighthIsCartesianWithFasterMotors, ()) {
+    Motor motor = any_motor();
+    motor.friction = 0;  // rails stay where they are
+    const std::array<Motor, 4> core{motor, motor, {}, {}};
+    std::array<Motor, 4> cartesian = core;
+    for (std::size_t i = 0; i < 2; ++i) cartesian[i].per_speed *= std::sqrt(2);
+    const Block block = any_block();
+    Block turned = block;
+    const Vec2 d = rotated({block.delta[axis_x], block.delta[axis_y]}, unit(pi / 4));
+    turned.delta[axis_x] = d.x;
+    turned.delta[axis_y] = d.y;
+    const double a = motor_draw(cartesian, block).all;
+    const double b = motor_draw(core, turned, Kinematics::corexy).all;
+    RC_ASSERT(std::abs(a - b) <= 1e-9 * (a + 1e-6));
+}
+
+RC_GTEST_PROP(CoreDraw, AlongXTakesTheSameWorkAsOneMotorAndLosesOfTwo, ()) {
+    Motor motor = any_motor();
+    const std::array<Motor, 4> motors{motor, motor, {}, {}};
+    Block block = any_block();
+    block.delta[axis_y] = 0;
+    const double loss = motor.per_speed * std::abs(block.delta[axis_x]);
+    const double one = motor_draw(motors, block).xy;
+    const double two = motor_draw(motors, block, Kinematics::corexy).xy;
+    RC_ASSERT(std::abs(two - one - loss) <= 1e-9 * (1 + two));
+}
+
+TEST(CoreDraw, OfADiagonalIsThatOfOneMotorAlone) {
+    std::array<Motor, 4> motors{};
+    for (std::size_t i = 0; i < 2; ++i)
+        motors[i] = {.per_speed = 0.05, .friction = 2, .moving_mass = 1};
+    const Block diagonal = trapezoid({50, 50, 0, 0}, 20, 20, 80, 1000);
+    const double whole = motor_draw(motors, diagonal, Kinematics::corexy).xy;
+    motors[1].per_speed = 7;
+    motors[1].efficiency = 0.1;
+    EXPECT_DOUBLE_EQ(motor_draw(motors, diagonal, Kinematics::corexy).xy, whole);
+}
+
+RC_GTEST_PROP(CoreDraw, InXZIsThatInXYWithYAndZExchanged, ()) {
+    const std::array<Motor, 4> motors{any_motor(), any_motor(), any_motor(), any_motor()};
+    const Block block = any_block();
+    std::array<Motor, 4> exchanged = motors;
+    Block lying = block;
+    std::swap(exchanged[axis_y], exchanged[axis_z]);
+    std::swap(lying.delta[axis_y], lying.delta[axis_z]);
+    const MotorDraw a = motor_draw(motors, block, Kinematics::corexz);
+    const MotorDraw b = motor_draw(exchanged, lying, Kinematics::corexy);
+    RC_ASSERT(std::abs(a.all - b.all) <= 1e-12 * a.all &&
+              std::abs(a.peak - b.peak) <= 1e-9 * a.peak);
 }
 
 }  // namespace
