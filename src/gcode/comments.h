@@ -1,6 +1,8 @@
 // What slicers say in comments about the moves that follow: the feature, the layer, the bead, and
-// who speaks. Understood are the tags of PrusaSlicer and its kin (;TYPE: ;LAYER_CHANGE ;Z: ;HEIGHT:
-// ;WIDTH:), of Bambu Studio (; FEATURE: and so on) and of Cura (;TYPE: ;LAYER:).
+// who speaks for what firmware. Understood are the tags of PrusaSlicer and its kin (;TYPE:
+// ;LAYER_CHANGE ;Z: ;HEIGHT: ;WIDTH:), of Bambu Studio (; FEATURE: and so on), of Cura and
+// ideaMaker
+// (;TYPE: ;LAYER:) and of Simplify3D (; feature …, ; layer 1, Z = …).
 #pragma once
 #include <optional>
 #include <string>
@@ -23,6 +25,7 @@ class Annotations {
     [[nodiscard]] Role role() const { return role_; }
     [[nodiscard]] Bead bead() const { return bead_; }
     [[nodiscard]] const std::string& slicer() const { return slicer_; }
+    [[nodiscard]] bool for_reprap() const { return for_reprap_; }  // RepRapFirmware's dialect
 
     // The layer that begins with the next command, once, if the comments have said its height.
     std::optional<LayerStart> layer_due() {
@@ -48,13 +51,16 @@ class Annotations {
     void width(std::string_view number);
     void author(std::string_view name);
     void bambu(std::string_view);
+    void flavor(std::string_view name);
+    void simplify(std::string_view text);
 
     Role role_ = Role::other;
     Bead bead_;
     std::string slicer_;
     std::optional<Pending> pending_;
     std::optional<double> inferred_z_;
-    bool tagged_ = false;         // features or layers are named: nothing is to be inferred
+    bool tagged_ = false;  // features or layers are named: nothing is to be inferred
+    bool for_reprap_ = false;
     bool names_changes_ = false;  // by LAYER_CHANGE; then LAYER: is somebody's own remark
 };
 

@@ -1,23 +1,21 @@
 #include "gcode/interpreter.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
+#include <cstring>
 
 #include "core/error.h"
+#include "gcode/key_words.h"
 
 namespace bead {
 namespace {
 
-constexpr std::string_view axis_letters = "XYZE";
-constexpr std::uint32_t axis_bits =
-    Words::bit('X') | Words::bit('Y') | Words::bit('Z') | Words::bit('E');
 constexpr double mm_per_inch = 25.4;
-constexpr PerAxis<double> farthest{1e6, 1e6, 1e6, 1e9};  // mm; E is 1000 km of filament
+constexpr double seconds_per_minute = 60;
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 constexpr std::size_t most_names = 200;  // of ignored commands; the rest is counted together
 constexpr std::size_t longest_name = 40;
+constexpr int any_number = -2;
 
 std::string capitals(std::string_view text) {
     std::string all(text.substr(0, longest_name));
@@ -34,61 +32,109 @@ std::optional<double> first_of(const Words& words, std::string_view letters) {
 
 }  // namespace
 
-// What a command does. `bare`: its letters need no numbers.
+// What a command does and where it is obeyed. `bare`: its letters need no numbers.
 struct Interpreter::Rule {
     char letter;
     int number;
     void (*act)(Interpreter&, const Words&);
+    unsigned obeyed = every_dialect;
     bool bare = false;
 };
 
 const Interpreter::Rule* Interpreter::rule_of(const Line& line) {
     using I = Interpreter;
     using W = const Words;
+    constexpr unsigned not_klipper = every_dialect & ~unsigned{klipper_dialect};
+    constexpr unsigned with_planes = marlin_dialect | klipper_dialect | reprap_dialect;
     static constexpr std::array rules{
-        Rule{'G', 1, [](I& i, W& w) { i.move(w); }},
-        Rule{'G', 0, [](I& i, W& w) { i.move(w); }},
-        Rule{'G', 2, [](I& i, W& w) { i.ignore("G2", " (as a straight line)"), i.move(w); }},
-        Rule{'G', 3, [](I& i, W& w) { i.ignore("G3", " (as a straight line)"), i.move(w); }},
+        Rule{'G', 1, [](I& i, W& w) { i.move(move_words(w)); }},
+        Rule{'G', 0, [](I& i, W& w) { i.move(move_words(w)); }},
+        Rule{'G', 2, [](I& i, W& w) { i.arc(w, true); }},
+        Rule{'G', 3, [](I& i, W& w) { i.arc(w, false); }},
         Rule{'G', 92, [](I& i, W& w) { i.set_position(w); }},
+        Rule{'G', 10, [](I& i, W& w) { i.retract(w); }},
+        Rule{'G', 11, [](I& i, W&) { i.recover(); }},
         Rule{'M', 106, [](I& i, W& w) { i.set_fan(w); }},
         Rule{'M', 107, [](I& i, W&) { i.tell(SetFan{0}); }},
-        Rule{'M', 204, [](I& i, W& w) { i.set_accelerations(w); }},
-        Rule{'M', 205, [](I& i, W& w) { i.set_limits(w, &SetLimits::jerk); }},
-        Rule{'M', 201, [](I& i, W& w) { i.set_limits(w, &SetLimits::max_acceleration); }},
-        Rule{'M', 203, [](I& i, W& w) { i.set_limits(w, &SetLimits::max_feedrate); }},
+        Rule{'M', 73, [](I&, W&) {}},  // the printer's display, in every other line of some files
+        Rule{'M', 204, [](I& i, W& w) { i.tell_limits(accelerations(w, i.dialect_)); }},
+        Rule{'M', 205, [](I& i, W& w) { i.tell_limits(corner_limits(w, i.dialect_)); },
+             not_klipper},
+        Rule{'M', 201, [](I& i, W& w) { i.set_max_accelerations(w); }, not_klipper},
+        Rule{'M', 203, [](I& i, W& w) { i.set_feedrates(w); }, not_klipper},
+        Rule{'M', 566, [](I& i, W& w) { i.set_jerk(w); }, not_klipper},
         Rule{'M', 104, [](I& i, W& w) { i.set_heat(w, Heater::hotend, false); }},
         Rule{'M', 109, [](I& i, W& w) { i.set_heat(w, Heater::hotend, true); }},
         Rule{'M', 140, [](I& i, W& w) { i.set_heat(w, Heater::bed, false); }},
         Rule{'M', 190, [](I& i, W& w) { i.set_heat(w, Heater::bed, true); }},
         Rule{'G', 4, [](I& i, W& w) { i.dwell(w); }},
+        Rule{'G', 5, [](I& i, W& w) { i.curve(w); }, marlin_dialect},
+        Rule{'G', 17, [](I& i, W&) { i.plane_ = Plane::xy; }},
+        Rule{'G', 18, [](I& i, W&) { i.plane_ = Plane::zx; }, with_planes},
+        Rule{'G', 19, [](I& i, W&) { i.plane_ = Plane::yz; }, with_planes},
         Rule{'M', 400, [](I& i, W&) { i.tell(Drain{}); }},
-        Rule{'G', 28, [](I& i, W& w) { i.home(w); }, true},
-        Rule{'G', 20, [](I& i, W&) { i.unit_ = mm_per_inch; }},
+        Rule{'G', 28, [](I& i, W& w) { i.home(w); }, every_dialect, true},
+        Rule{'G', 20, [](I& i, W&) { i.unit_ = mm_per_inch; }, not_klipper},
         Rule{'G', 21, [](I& i, W&) { i.unit_ = 1; }},
         Rule{'G', 90, [](I& i, W&) { i.set_relative(false); }},
         Rule{'G', 91, [](I& i, W&) { i.set_relative(true); }},
-        Rule{'M', 82, [](I& i, W&) { i.relative_[axis_e] = false; }},
-        Rule{'M', 83, [](I& i, W&) { i.relative_[axis_e] = true; }},
+        Rule{'M', 82, [](I& i, W&) { i.set_extruder_relative(false); }},
+        Rule{'M', 83, [](I& i, W&) { i.set_extruder_relative(true); }},
+        Rule{'M', 207, [](I& i, W& w) { i.retraction_ = with_m207(i.retraction_, w, i.dialect_); },
+             not_klipper},
+        Rule{'M', 208, [](I& i, W& w) { i.retraction_ = with_m208(i.retraction_, w); },
+             not_klipper},
+        Rule{'T', any_number, [](I& i, W&) { i.ignore(i.command_, " (tool change)"); }},
+        Rule{'M', 0, [](I& i, W&) { i.pause(); }},
+        Rule{'M', 1, [](I& i, W&) { i.pause(); }},
+        Rule{'M', 226, [](I& i, W&) { i.pause(); }},
+        Rule{'M', 600, [](I& i, W&) { i.pause(); }},
+        Rule{'M', 601, [](I& i, W&) { i.pause(); }},
     };
     const auto row = std::ranges::find_if(rules, [&](const Rule& rule) {
-        return rule.letter == line.letter && rule.number == line.number;
+        return rule.letter == line.letter &&
+               (rule.number == line.number || rule.number == any_number);
     });
     return row == rules.end() ? nullptr : &*row;
 }
 
+void Interpreter::read_lines(std::string_view text) {
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    while (at != end) {
+        if (const PlainMove plain = read_plain_move(at); plain.end != nullptr) {
+            ++report_.lines;
+            move(plain.words);
+            at = plain.end;
+        } else {
+            const auto* const stop =
+                static_cast<const char*>(std::memchr(at, '\n', std::size_t(end - at)));
+            read({at, std::size_t(stop - at)});
+            at = stop + 1;
+        }
+    }
+}
+
 void Interpreter::read(std::string_view text) {
+    if (text.ends_with('\r')) text.remove_suffix(1);
     if (++report_.lines == 1 && text.starts_with(byte_order_mark))
         text.remove_prefix(byte_order_mark.size());
+    line_ = text;
     const Line line = split_line(text);
-    if (line.kind == LineKind::comment) annotations_.note(line.rest);
+    command_ = line.name;
+    if (line.kind == LineKind::comment) {
+        annotations_.note(line.rest);
+        if (annotations_.for_reprap() && !moved_) become_reprap();
+    }
     if (line.kind == LineKind::junk) note_malformed();
     if (line.kind != LineKind::command) return;
-    command_ = line.name;
-    if (const Rule* const rule = rule_of(line))
-        obey(*rule, Words(line.rest));
-    else
+    const Rule* const rule = rule_of(line);
+    if (line.letter == 0)
+        run_macro(line);
+    else if (rule == nullptr)
         ignore(line.name);
+    else
+        obey(*rule, Words(line.rest));
 }
 
 GcodeReport Interpreter::finish() {
@@ -96,14 +142,18 @@ GcodeReport Interpreter::finish() {
         throw Error(name_ + ": nothing moves in its " + std::to_string(report_.lines) +
                     " lines (no G0, G1, G2, G3 or G28); is this a G-code file, and complete?");
     report_.slicer = annotations_.slicer();
+    report_.dialect = name_of(dialect_);
     return std::move(report_);
 }
 
 void Interpreter::obey(const Rule& rule, const Words& words) {
+    if (!in(rule.obeyed))
+        return ignore(command_, std::string(" (not obeyed by ").append(name_of(dialect_)) + ")");
     if (words.too_large() != 0)
         fail(std::string("the number after ") + words.too_large() +
              " is out of range; correct or remove it");
-    if (words.has_junk() || (words.has_bare() && !rule.bare)) note_malformed();
+    if (words.has_junk() || (words.has_bare() && !rule.bare) || !words.fit_checksum(line_))
+        note_malformed();
     for (const char letter : {'G', 'M'})
         if (words.has(letter))
             ignore(letter + std::to_string(std::int64_t(words.at(letter))),
@@ -111,65 +161,66 @@ void Interpreter::obey(const Rule& rule, const Words& words) {
     rule.act(*this, words);
 }
 
-double Interpreter::place_told(const Words& words, Axis axis, bool relative) const {
-    const double told = words.at(axis_letters[axis]) * unit_;
-    const double place = relative ? place_[axis] + told : told;
-    if (std::abs(place) > farthest[axis])
-        fail(std::string("the move leads beyond ") + std::to_string(farthest[axis] / 1e6) +
-             " km in " + axis_letters[axis] + "; correct or remove it");
-    return place;
+void Interpreter::run_macro(const Line& line) {
+    struct MacroRule {
+        std::string_view name;
+        void (*act)(Interpreter&, std::string_view words);
+    };
+    using I = Interpreter;
+    using W = std::string_view;
+    static constexpr std::array rules{
+        MacroRule{"SET_VELOCITY_LIMIT",
+                  [](I& i, W w) { i.tell_limits(velocity_limits(w, i.head_acceleration_)); }},
+        MacroRule{"SET_RETRACTION", [](I& i, W w) { i.set_klipper_retraction(w); }},
+        MacroRule{"SAVE_GCODE_STATE", [](I& i, W w) { i.save_state(w); }},
+        MacroRule{"RESTORE_GCODE_STATE", [](I& i, W w) { i.restore_state(w); }},
+    };
+    const auto row = std::ranges::find(rules, capitals(line.name), &MacroRule::name);
+    if (row == rules.end()) return ignore(line.name, " (macro)");
+    if (!in(klipper_dialect))
+        return ignore(line.name, std::string(" (not obeyed by ").append(name_of(dialect_)) + ")");
+    row->act(*this, line.rest);
 }
 
-void Interpreter::move(const Words& words) {
-    if (words.has('F') && words.at('F') > 0) feed_ = words.at('F') * unit_ / 60;
-    if (!words.any_of(axis_bits)) return;
-    const Position from = place_;
-    for (const Axis axis : {axis_x, axis_y, axis_z, axis_e})
-        if (words.has(axis_letters[axis])) place_[axis] = place_told(words, axis, relative_[axis]);
-    const bool across = place_[axis_x] != from[axis_x] || place_[axis_y] != from[axis_y];
-    tell_move(from[axis_z], across && place_[axis_e] > from[axis_e]);
+// The text turns out to be for RepRapFirmware, unless it is read as Klipper reads it: what was
+// taken for mm/s was mm/min.
+void Interpreter::become_reprap() {
+    if (in(klipper_dialect | reprap_dialect)) return;
+    dialect_ = reprap_dialect;
+    update_modes();
+    if (feedrates_told_ == AxisLimits{}) return;
+    SetLimits corrected;
+    for (std::size_t axis = 0; axis < feedrates_told_.size(); ++axis)
+        if (feedrates_told_[axis])
+            corrected.max_feedrate[axis] = *feedrates_told_[axis] / seconds_per_minute;
+    tell(corrected);
 }
 
-void Interpreter::tell_move(double from_z, bool extrudes) {
-    const auto layer =
-        extrudes ? annotations_.layer_due(from_z, place_[axis_z]) : annotations_.layer_due();
-    if (layer) sink_({*layer, report_.lines});
-    auto& move = std::get<Move>(move_.what);
-    move.to = place_;
-    move.feed = feed_;
-    move.role = extrudes ? annotations_.role() : Role::travel;
-    move.bead = extrudes ? annotations_.bead() : Bead{};
-    move_.line = report_.lines;
-    sink_(move_);
-    moved_ = true;
+void Interpreter::set_relative(bool on) {
+    g91_ = on;
+    if (extruder_mode(dialect_) == ExtruderMode::last_said) m83_ = on;
+    update_modes();
 }
 
-void Interpreter::home(const Words& words) {
-    Home home{{words.names('X'), words.names('Y'), words.names('Z')}};
-    if (std::ranges::none_of(home.axes, std::identity{})) home = Home{};
-    for (const Axis axis : {axis_x, axis_y, axis_z})
-        if (home.axes[axis]) place_[axis] = 0;
-    tell(home);
-    moved_ = true;
+void Interpreter::set_extruder_relative(bool on) {
+    m83_ = on;
+    update_modes();
 }
 
-void Interpreter::set_position(const Words& words) {
-    SetPosition position;
-    for (const Axis axis : {axis_x, axis_y, axis_z, axis_e}) {
-        if (words.has(axis_letters[axis])) position.to[axis] = place_told(words, axis, false);
-        if (words.none()) position.to[axis] = 0;
-        place_[axis] = position.to[axis].value_or(place_[axis]);
-    }
-    if (words.none() || words.any_of(axis_bits))
-        tell(position);
-    else
-        ignore(command_);
+void Interpreter::update_modes() {
+    const bool extruder = m83_ || (g91_ && extruder_mode(dialect_) == ExtruderMode::either);
+    relative_ = {g91_, g91_, g91_, extruder};
+}
+
+// How long it lasts is up to somebody; the machine comes to a stop first.
+void Interpreter::pause() {
+    ignore(command_, " (pause)");
+    tell(Drain{});
 }
 
 void Interpreter::dwell(const Words& words) {
-    const double seconds = words.has('S')   ? words.at('S')
-                           : words.has('P') ? words.at('P') / 1000
-                                            : 0;
+    const bool in_s = words.has('S') && !in(klipper_dialect);
+    const double seconds = in_s ? words.at('S') : words.has('P') ? words.at('P') / 1000 : 0;
     tell(Dwell{std::max(0.0, seconds)});
 }
 
@@ -187,44 +238,43 @@ void Interpreter::set_fan(const Words& words) {
     tell(SetFan{std::clamp(told / 255, 0.0, 1.0)});
 }
 
-void Interpreter::set_limits(const Words& words,
-                             PerAxis<std::optional<double>> SetLimits::*limits) {
+void Interpreter::set_max_accelerations(const Words& words) {
+    const auto told = axis_limits(words, false, 1);
+    if (!told) return ignore(command_);
     SetLimits set;
-    bool any = false;
-    const bool zero_allowed = limits == &SetLimits::jerk;
-    for (const Axis axis : {axis_x, axis_y, axis_z, axis_e}) {
-        const char letter = axis_letters[axis];
-        if (!words.has(letter)) continue;
-        if (words.at(letter) < 0 || (words.at(letter) == 0 && !zero_allowed)) continue;
-        (set.*limits)[axis] = words.at(letter);
-        any = true;
-    }
-    if (any)
-        tell(set);
-    else
-        ignore(command_);
+    set.max_acceleration = *told;
+    tell(set);
 }
 
-// S is the older word for printing and travel together; P, R and T say more and so win.
-void Interpreter::set_accelerations(const Words& words) {
-    const auto told = [&](std::string_view choices) {
-        const auto value = first_of(words, choices);
-        return value && *value > 0 ? value : std::nullopt;
-    };
+void Interpreter::set_feedrates(const Words& words) {
+    const auto told = axis_limits(words, false, in(reprap_dialect) ? seconds_per_minute : 1);
+    if (!told) return ignore(command_);
+    for (std::size_t axis = 0; axis < told->size(); ++axis)
+        if ((*told)[axis]) feedrates_told_[axis] = (*told)[axis];
     SetLimits set;
-    set.acceleration = told("PS");
-    set.retract_acceleration = told("R");
-    set.travel_acceleration = told("TS");
-    if (set.acceleration || set.retract_acceleration || set.travel_acceleration)
-        tell(set);
-    else
-        ignore(command_);
+    set.max_feedrate = *told;
+    tell(set);
 }
 
-template <class What>
-void Interpreter::tell(const What& what) {
-    if (const auto layer = annotations_.layer_due()) sink_({*layer, report_.lines});
-    sink_({what, report_.lines});
+// M566, which only RepRapFirmware has: in mm/min.
+void Interpreter::set_jerk(const Words& words) {
+    become_reprap();
+    const auto told = axis_limits(words, true, seconds_per_minute);
+    if (!told) return ignore(command_);
+    SetLimits set;
+    set.jerk = *told;
+    tell(set);
+}
+
+void Interpreter::set_klipper_retraction(std::string_view words) {
+    retraction_ = with_klipper_words(retraction_, words);
+    retracted_ = false;
+}
+
+void Interpreter::tell_limits(const std::optional<SetLimits>& limits) {
+    if (!limits) return ignore(command_);
+    if (limits->max_acceleration_head) head_acceleration_ = limits->max_acceleration_head;
+    tell(*limits);
 }
 
 void Interpreter::note_malformed() {

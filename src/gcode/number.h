@@ -19,10 +19,11 @@ inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 // The long way. `exponent`: a lower-case e may follow the digits.
 Number read_long_number(const char* begin, const char* end, bool exponent);
 
+inline constexpr std::array<double, 20> powers_of_ten{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,
+                                                      1e7,  1e8,  1e9,  1e10, 1e11, 1e12, 1e13,
+                                                      1e14, 1e15, 1e16, 1e17, 1e18, 1e19};
+
 inline Number read_number(const char* begin, const char* end, bool exponent) {
-    static constexpr std::array<double, 20> powers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,
-                                                   1e7,  1e8,  1e9,  1e10, 1e11, 1e12, 1e13,
-                                                   1e14, 1e15, 1e16, 1e17, 1e18, 1e19};
     constexpr std::uint64_t exact = std::uint64_t{1} << 53;
     const char* at = begin;
     const bool negative = at != end && *at == '-';
@@ -42,7 +43,7 @@ inline Number read_number(const char* begin, const char* end, bool exponent) {
     const bool plain = count >= 1 && count <= 19 && digits <= exact;
     if (!plain || (exponent && at != end && *at == 'e'))
         return read_long_number(begin, end, exponent);
-    const double size = double(digits) / powers[std::size_t(decimals)];
+    const double size = double(digits) / powers_of_ten[std::size_t(decimals)];
     return {negative ? -size : size, at};
 }
 

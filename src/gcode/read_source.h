@@ -1,7 +1,7 @@
 // read_gcode with the size of its chunks to choose: for tests that show it does not matter.
 #pragma once
-#include "gcode/interpreter.h"
 #include "gcode/line_reader.h"
+#include "gcode/reader.h"
 
 namespace bead {
 

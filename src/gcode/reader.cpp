@@ -1,5 +1,6 @@
 #include "gcode/reader.h"
 
+#include "gcode/interpreter.h"
 #include "gcode/read_source.h"
 
 namespace bead {
@@ -7,10 +8,14 @@ namespace bead {
 GcodeReport read_source(const TextSource& source, const ReadOptions& options,
                         const LineLimits& limits, const CommandSink& sink) {
     Interpreter interpreter(options, sink);
-    const std::int64_t bytes = for_each_line(
-        source, options.name, limits, [&](std::string_view line) { interpreter.read(line); });
+    LineReader reader(source, options.name, limits);
+    while (true) {
+        const std::string_view lines = reader.next(interpreter.lines());
+        if (lines.empty()) break;
+        interpreter.read_lines(lines);
+    }
     GcodeReport report = interpreter.finish();
-    report.bytes = bytes;
+    report.bytes = reader.bytes();
     return report;
 }
 
@@ -20,8 +25,12 @@ GcodeReport read_gcode(std::istream& text, const ReadOptions& options, const Com
 
 GcodeReport read_gcode(const std::filesystem::path& file, ReadOptions options,
                        const CommandSink& sink) {
+    const OpenedText text = open_text(file);
     options.name = file.string();
-    return read_source(file_source(file), options, {}, sink);
+    if (!text.part.empty()) options.name += " (" + text.part + ")";
+    GcodeReport report = read_source(text.source, options, {}, sink);
+    report.part = text.part;
+    return report;
 }
 
 GcodeReport read_gcode(const std::filesystem::path& file, const CommandSink& sink) {

@@ -31,6 +31,8 @@ struct GcodeReport {
     std::int64_t malformed = 0;                   // lines with a word that is not a number
     std::int64_t first_malformed = 0;             // its line
     std::string slicer;                           // e.g. "PrusaSlicer", "Cura", "" if unknown
+    std::string dialect;                          // whose rules it was read by at last
+    std::string part;                             // the file within the archive, "" if none
 };
 
 GcodeReport read_gcode(std::istream& text, const ReadOptions& options, const CommandSink& sink);

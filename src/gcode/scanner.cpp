@@ -85,6 +85,18 @@ Words::Words(std::string_view text) {
             ++at;
         }
     }
+    if (at != end && *at == '*') checksum_ = between(at, end);
+}
+
+bool Words::fit_checksum(std::string_view line) const {
+    if (checksum_.empty()) return true;
+    unsigned sum = 0;
+    for (const char* at = line.data(); at != checksum_.data(); ++at) sum ^= std::uint8_t(*at);
+    const char* const begin = checksum_.data() + 1;
+    const char* const end = checksum_.data() + checksum_.size();
+    const char* const digits = skip_blanks(begin, end);
+    const Number told = read_number(digits, end, false);
+    return told.end != digits && told.value == sum;
 }
 
 // A number with junk at its end, such as 1,5 or 1.2.3, is not taken for one.

@@ -24,7 +24,7 @@ Line split_line(std::string_view text);
 
 class Words {
   public:
-    // Comments and a checksum (*71) are skipped.
+    // Comments are skipped, also what follows a checksum (*71).
     explicit Words(std::string_view text);
 
     [[nodiscard]] bool has(char letter) const { return (numbered_ & bit(letter)) != 0; }
@@ -35,6 +35,9 @@ class Words {
     [[nodiscard]] bool has_bare() const { return bare_ != 0; }   // letters without a number
     [[nodiscard]] bool has_junk() const { return junk_; }        // what is neither word nor comment
     [[nodiscard]] char too_large() const { return too_large_; }  // a letter whose number is; or 0
+    // Whether there is no checksum, or the right one: all bytes of the line before it, by exclusive
+    // or. `line` is the text in which the words stand.
+    [[nodiscard]] bool fit_checksum(std::string_view line) const;
 
     static constexpr std::uint32_t bit(char letter) { return std::uint32_t{1} << (letter - 'A'); }
 
@@ -45,6 +48,7 @@ class Words {
     std::uint32_t numbered_ = 0, bare_ = 0;  // bit 0 is A
     bool junk_ = false;
     char too_large_ = 0;
+    std::string_view checksum_;
     std::array<double, 26> numbers_;  // only those with their bit set
 };
 

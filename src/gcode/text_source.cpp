@@ -10,6 +10,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "gcode/plate_source.h"
 
 namespace bead {
 namespace {
@@ -46,8 +47,10 @@ TextSource stream_source(std::istream& text) {
     };
 }
 
-TextSource file_source(const std::filesystem::path& file) {
-    return [handle = opened(file), name = file.string()](std::span<char> place) {
+OpenedText open_text(const std::filesystem::path& file) {
+    const auto handle = opened(file);
+    if (is_archive(file)) return open_plate(file);
+    const TextSource source = [handle, name = file.string()](std::span<char> place) {
         const auto most = unsigned(std::min<std::size_t>(place.size(), INT_MAX));
         const int count = gzread(handle.get(), place.data(), most);
         int code = Z_OK;
@@ -55,6 +58,9 @@ TextSource file_source(const std::filesystem::path& file) {
         if (count < 0 || code != Z_OK) fail(handle.get(), name);
         return std::size_t(count);
     };
+    return {source, {}};
 }
+
+TextSource file_source(const std::filesystem::path& file) { return open_text(file).source; }
 
 }  // namespace bead

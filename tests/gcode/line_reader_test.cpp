@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <fstream>
@@ -10,16 +9,25 @@
 
 #include "core/error.h"
 #include "gcode/reader.h"
+#include "support/mesh_files.h"
 
 namespace bead {
 namespace {
 
-std::vector<std::string> lines_of(const std::string& text, std::size_t chunk) {
+std::vector<std::string> lines_of(const std::string& text, const LineLimits& limits) {
     std::istringstream stream(text);
+    const TextSource source = stream_source(stream);
+    LineReader reader(source, "text", limits);
     std::vector<std::string> lines;
-    const auto bytes = for_each_line(stream_source(stream), "text", {.chunk = chunk},
-                                     [&](std::string_view line) { lines.emplace_back(line); });
-    EXPECT_EQ(bytes, std::int64_t(text.size()));
+    while (true) {
+        std::string_view piece = reader.next(std::int64_t(lines.size()));
+        if (piece.empty()) break;
+        for (std::size_t end = 0; !piece.empty(); piece.remove_prefix(end + 1)) {
+            end = piece.find('\n');
+            lines.emplace_back(piece.substr(0, end));
+        }
+    }
+    EXPECT_EQ(reader.bytes(), std::int64_t(text.size()));
     return lines;
 }
 
@@ -27,14 +35,24 @@ RC_GTEST_PROP(LineReader, gives_the_same_lines_for_any_size_of_chunk, ()) {
     const auto text =
         *rc::gen::container<std::string>(rc::gen::element('\n', '\r', 'a', 'b', ' ', 'c'));
     const auto chunk = *rc::gen::inRange<std::size_t>(1, 12);
-    RC_ASSERT(lines_of(text, chunk) == lines_of(text, 1 << 20));
+    RC_ASSERT(lines_of(text, {.chunk = chunk}) == lines_of(text, {}));
 }
 
 TEST(LineReader, cuts_at_line_ends) {
-    const std::vector<std::string> expected{"a", "", "b\rc", "d"};
-    EXPECT_EQ(lines_of("a\r\n\nb\rc\nd", 3), expected);
-    EXPECT_EQ(lines_of("a\r\n\nb\rc\nd\n", 1), expected);
-    EXPECT_TRUE(lines_of("", 4).empty());
+    const std::vector<std::string> expected{"a\r", "", "b\rc", "d"};
+    EXPECT_EQ(lines_of("a\r\n\nb\rc\nd", {.chunk = 3}), expected);
+    EXPECT_EQ(lines_of("a\r\n\nb\rc\nd\n", {.chunk = 1}), expected);
+    EXPECT_TRUE(lines_of("", {.chunk = 4}).empty());
+}
+
+TEST(LineReader, cuts_long_comments_short) {
+    const std::vector<std::string> expected{"first", "G1;56789A", "last"};
+    for (const std::size_t chunk : {1U, 4U, 9U})
+        for (const char* text :
+             {"first\nG1;56789ABCDEF\nlast", "first\nG1;56789ABCDEFGHIJKLMNOP\nlast"})
+            EXPECT_EQ(lines_of(text, {.chunk = chunk, .longest = 9}), expected) << chunk;
+    EXPECT_EQ(lines_of("G1;56789ABCDEF", {.chunk = 4, .longest = 9}), std::vector{expected[1]});
+    EXPECT_THROW(lines_of("first\n123456789A;\nlast", {.chunk = 4, .longest = 9}), Error);
 }
 
 TEST(LineReader, gives_up_on_a_line_without_end) {
@@ -42,7 +60,7 @@ TEST(LineReader, gives_up_on_a_line_without_end) {
         std::ranges::fill(place, 'x');
         return place.size();
     };
-    EXPECT_THROW(for_each_line(endless, "text", {}, [](std::string_view) {}), Error);
+    EXPECT_THROW(LineReader(endless, "text", {}).next(0), Error);
 }
 
 class FileSource : public testing::Test {
@@ -57,20 +75,6 @@ class FileSource : public testing::Test {
         std::filesystem::path(testing::TempDir()) /
         testing::UnitTest::GetInstance()->current_test_info()->name();
 };
-
-std::string gzipped(const std::string& text) {
-    std::string out(compressBound(text.size()) + 64, '\0');
-    z_stream stream{};
-    deflateInit2(&stream, 6, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY);
-    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
-    stream.avail_in = unsigned(text.size());
-    stream.next_out = reinterpret_cast<Bytef*>(out.data());
-    stream.avail_out = unsigned(out.size());
-    deflate(&stream, Z_FINISH);
-    out.resize(stream.total_out);
-    deflateEnd(&stream);
-    return out;
-}
 
 std::string many_moves() {
     std::string text;
@@ -88,15 +92,42 @@ TEST_F(FileSource, reads_gzip_like_the_plain_file) {
     }
 }
 
+std::string complaint(const std::filesystem::path& file) {
+    try {
+        read_gcode(file, [](const Command&) {});
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "no complaint";
+}
+
+TEST_F(FileSource, reads_the_first_plate_of_an_archive) {
+    const std::string file = write("a.gcode.3mf", zipped({{"3D/3dmodel.model", "<model/>"},
+                                                          {"Metadata/plate_10.gcode", "G1 X10\n"},
+                                                          {"Metadata/plate_2.gcode", many_moves()},
+                                                          {"Metadata/plate_2.gcode.md5", "0"},
+                                                          {"Metadata/plate_x.gcode", "G1 X9\n"}}));
+    std::int64_t moves = 0;
+    const GcodeReport report = read_gcode(file, [&](const Command&) { ++moves; });
+    EXPECT_EQ(moves, 199'999);
+    EXPECT_EQ(report.part, "Metadata/plate_2.gcode");
+    EXPECT_EQ(report.bytes, std::int64_t(many_moves().size()));
+}
+
+TEST_F(FileSource, says_what_is_wrong_with_an_archive) {
+    const std::string plate = zipped({{"Metadata/plate_1.gcode", many_moves()}});
+    std::string damaged = plate;
+    damaged[damaged.size() / 2] = char(damaged[damaged.size() / 2] ^ 0x55);
+    EXPECT_NE(complaint(write("a.3mf", zipped({{"a.model", "x"}}))).find("no plate"),
+              std::string::npos);
+    EXPECT_NE(complaint(write("b.3mf", plate.substr(0, 1000))).find("complete"), std::string::npos);
+    EXPECT_NE(complaint(write("c.3mf", damaged)).find("damaged"), std::string::npos);
+    EXPECT_NE(complaint(write("d.3mf", zipped({{"Metadata/plate_1.gcode", "G1 X1\nG1 X1e99"}})))
+                  .find("d.3mf (Metadata/plate_1.gcode):2: "),
+              std::string::npos);
+}
+
 TEST_F(FileSource, complains_by_name) {
-    const auto complaint = [](const std::filesystem::path& file) -> std::string {
-        try {
-            read_gcode(file, [](const Command&) {});
-        } catch (const Error& error) {
-            return error.what();
-        }
-        return "no complaint";
-    };
     const std::string whole = gzipped(many_moves());
     std::string damaged = whole;
     damaged[damaged.size() / 2] = char(damaged[damaged.size() / 2] ^ 0x55);

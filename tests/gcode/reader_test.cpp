@@ -104,7 +104,8 @@ TEST(Reader, waits_heats_and_blows) {
 TEST(Reader, takes_limits_from_the_file) {
     const auto limits = reading_of(
                             "G28\nM201 X900 E5000\nM203 Z12\nM205 X8 Y0\nM204 P800 R700 T600\n"
-                            "M204 S500\nM204 S500 T400\n")
+                            "M204 S500\nM204 S500 T400\n",
+                            Firmware::marlin_jerk)
                             .all<SetLimits>();
     ASSERT_EQ(limits.size(), 6U);
     EXPECT_EQ(limits[0].max_acceleration[axis_x].value_or(none), 900);
@@ -119,22 +120,23 @@ TEST(Reader, takes_limits_from_the_file) {
     EXPECT_EQ(limits[5].travel_acceleration.value_or(none), 400);
 }
 
-TEST(Reader, moves_straight_to_an_arcs_end_and_says_so) {
-    const Reading reading = reading_of("G2 X1 Y1 I1\nG3 X2 Y0 J-1\n");
-    EXPECT_EQ(reading.last<Move>().to, (Position{2, 0, 0, 0}));
-    EXPECT_EQ(reading.report.ignored.at("G2 (as a straight line)"), 1);
-    EXPECT_EQ(reading.report.ignored.at("G3 (as a straight line)"), 1);
-}
-
 TEST(Reader, counts_what_it_passes_over) {
     const Reading reading = reading_of(
-        "G28\nT0\nM73 P1\nm73 P2\nG92.1 X5\nM106 P1 S9\nM204 S0\nM104\nPRINT_START BED=60\nG90 G1 "
+        "G28\nT0\nM73 P1\nm117 P2\nM117 P\nM601\nG92.1 X5\nM106 P1 S9\nM204 S0\nM104\nPRINT_START "
+        "BED=60\nG90 G1 "
         "X5\n");
-    const std::map<std::string, std::int64_t> expected{
-        {"T0", 1},   {"M73", 2},  {"G92.1", 1},       {"M106 (of another fan)", 1},
-        {"M204", 1}, {"M104", 1}, {"PRINT_START", 1}, {"G1 (second on its line)", 1}};
+    const std::map<std::string, std::int64_t> expected{{"T0 (tool change)", 1},
+                                                       {"M117", 2},
+                                                       {"G92.1", 1},
+                                                       {"M106 (of another fan)", 1},
+                                                       {"M204", 1},
+                                                       {"M104", 1},
+                                                       {"PRINT_START (macro)", 1},
+                                                       {"G1 (second on its line)", 1},
+                                                       {"M601 (pause)", 1}};
     EXPECT_EQ(reading.report.ignored, expected);
-    EXPECT_EQ(reading.commands.size(), 1U);
+    EXPECT_EQ(reading.commands.size(), 2U);
+    EXPECT_EQ(reading.all<Drain>().size(), 1U);
     EXPECT_EQ(reading.report.malformed, 0);
 }
 

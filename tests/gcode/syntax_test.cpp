@@ -12,7 +12,7 @@ namespace {
 TEST(Syntax, has_many_spellings_of_one_move) {
     for (const char* text : {"G1 X10.5 Y-2 E.5 F600", "G1X10.5Y-2E.5F600", "g1x10.5y-2e.5f600",
                              "G01 X+10.50 Y-2.0 E0.5 F600", "  G1\tX 10.5 Y -2 E .5 F 600  ",
-                             "N12 G1 X10.5 Y-2 E.5 F600*57", "n12 G1 X10.5 Y-2 E.5 F600 *5",
+                             "N12 G1 X10.5 Y-2 E.5 F600*49", "n12 G1 X10.5 Y-2 E.5 F600 *49",
                              "G1 X10.5 Y-2 E.5 F600 ; to X99", "G1 X10.5 (X99) Y-2(;)E.5 F600",
                              "(first) G1 X10.5 Y-2 E.5 F600", "\xEF\xBB\xBFG1 X10.5 Y-2 E.5 F600",
                              "G1 X1.05e1 Y-2 E5e-1 F600", "G1 X10.5 Y-2 E.5 F600 (open"}) {
@@ -57,6 +57,13 @@ TEST(Syntax, counts_lines_that_start_with_no_command) {
     EXPECT_EQ(reading.commands.size(), 1U);
 }
 
+TEST(Syntax, counts_a_wrong_checksum_but_reads_the_line) {
+    const Reading reading = reading_of("N3 G1 X5*102\nN4 G1 X6*1\nN5 G1 X7*\nG1 X8\n");
+    EXPECT_EQ(reading.all<Move>().size(), 4U);
+    EXPECT_EQ(reading.report.malformed, 2);
+    EXPECT_EQ(reading.report.first_malformed, 2);
+}
+
 TEST(Syntax, does_not_take_a_broken_g92_for_an_empty_one) {
     const Reading reading = reading_of("G1 X5\nG92 X\nG1 Y1\n");
     EXPECT_EQ(reading.last<Move>().to, (Position{5, 1, 0, 0}));
@@ -96,9 +103,16 @@ TEST(Syntax, refuses_what_is_no_gcode) {
               std::string::npos);
     EXPECT_EQ(
         complaint(std::string("G28\nG1 X\0 1\n", 11)).rfind("part.gcode:2: there is a NUL", 0), 0U);
-    EXPECT_NE(complaint("GCDE\1").find(".bgcode"), std::string::npos);
+    EXPECT_NE(complaint("GCDE\1").find("bgcode"), std::string::npos);
     EXPECT_NE(complaint("PK\3\4zip").find("archive"), std::string::npos);
     EXPECT_NE(complaint("\x1f\x8bzip").find("gzip"), std::string::npos);
+}
+
+TEST(Syntax, reads_around_comments_of_any_length) {
+    const std::string picture(10'000'000, 'A');
+    const Reading reading = reading_of("G1 X1\n; " + picture + "\nG1 X2 ;" + picture + "\nG1 X3\n");
+    EXPECT_EQ(reading.all<Move>().size(), 3U);
+    EXPECT_EQ(reading.report.lines, 4);
 }
 
 TEST(Syntax, refuses_lines_beyond_a_megabyte) {

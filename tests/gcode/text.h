@@ -25,12 +25,12 @@ struct Reading {
     }
 };
 
-inline Reading reading_of(const std::string& text) {
+inline Reading reading_of(const std::string& text, Firmware firmware = Firmware::prusa) {
     Reading reading;
     std::istringstream stream(text);
-    reading.report = read_gcode(stream, {.name = "part.gcode"}, [&](const Command& command) {
-        reading.commands.push_back(command);
-    });
+    reading.report =
+        read_gcode(stream, {.name = "part.gcode", .firmware = firmware},
+                   [&](const Command& command) { reading.commands.push_back(command); });
     return reading;
 }
 
