@@ -1,5 +1,7 @@
 #include "core/output_file.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -19,6 +21,31 @@ std::filesystem::path beside(const std::filesystem::path& place) {
     return name;
 }
 
+std::filesystem::path behind_links(std::filesystem::path place) {
+    std::error_code missing;
+    if (!std::filesystem::is_symlink(place, missing)) return place;
+    std::filesystem::path target = std::filesystem::canonical(place, missing);
+    return missing ? place : target;
+}
+
+// As far as we may: only the superuser can give a file to its owner.
+void take_owner_and_permissions(const std::filesystem::path& from,
+                                const std::filesystem::path& to) {
+    struct stat old {};
+    if (::stat(from.c_str(), &old) != 0) return;
+    if (::chown(to.c_str(), old.st_uid, old.st_gid) != 0) errno = 0;
+    if (::chmod(to.c_str(), old.st_mode & 07777) != 0) errno = 0;
+}
+
+// True if the disk has it. Folders of some file systems cannot be asked; that is no failure.
+bool reaches_disk(const std::filesystem::path& place) {
+    const int file = ::open(place.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0) return errno == EACCES || errno == EPERM;
+    const bool done = ::fsync(file) == 0 || errno == EINVAL;
+    ::close(file);
+    return done;
+}
+
 // /dev/stdout, /dev/null and pipes are written to directly: there is nothing to rename.
 bool is_special(const std::filesystem::path& place) {
     std::error_code ignored;
@@ -28,7 +55,7 @@ bool is_special(const std::filesystem::path& place) {
 
 }  // namespace
 
-OutputFile::OutputFile(std::filesystem::path place) : place_(std::move(place)) {
+OutputFile::OutputFile(std::filesystem::path place) : place_(behind_links(std::move(place))) {
     if (std::filesystem::is_directory(place_))
         throw Error(place_.string() + ": is a folder; name a file to write", Fault::other);
     beside_ = is_special(place_) ? place_ : beside(place_);
@@ -38,6 +65,7 @@ OutputFile::OutputFile(std::filesystem::path place) : place_(std::move(place)) {
         throw Error(place_.string() + ": cannot be written (" + reason() +
                         "); choose a folder that exists and that you may write to",
                     Fault::other);
+    if (beside_ != place_) take_owner_and_permissions(place_, beside_);
 }
 
 OutputFile::~OutputFile() {
@@ -49,7 +77,7 @@ OutputFile::~OutputFile() {
 void OutputFile::keep() {
     errno = 0;
     stream_.close();
-    if (!stream_)
+    if (!stream_ || (beside_ != place_ && !reaches_disk(beside_)))
         throw Error(place_.string() + ": could not be written completely (" + reason() +
                         "); the file was not changed; make room or choose another place",
                     Fault::other);
@@ -59,6 +87,7 @@ void OutputFile::keep() {
         if (failure)
             throw Error(place_.string() + ": could not be put in place (" + failure.message() + ")",
                         Fault::other);
+        reaches_disk(std::filesystem::absolute(place_).parent_path());
     }
     beside_.clear();
 }

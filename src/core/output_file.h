@@ -1,4 +1,6 @@
-// A file that appears whole or not at all: it is written beside its place and renamed into it.
+// A file that appears whole or not at all, even if the power fails: it is written beside its place
+// and renamed into it. It keeps the permissions of the file that it replaces; where a symbolic link
+// leads to that file, the link stays.
 //
 //     OutputFile file("part.gcode");
 //     write(file.stream());

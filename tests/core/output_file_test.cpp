@@ -59,6 +59,30 @@ TEST_F(OutputFileTest, leaves_the_old_file_alone_until_kept) {
     EXPECT_EQ(files(), 1);
 }
 
+TEST_F(OutputFileTest, keeps_the_permissions_of_what_it_replaces) {
+    std::ofstream(place) << "old";
+    for (const auto mode : {fs::perms::owner_read, fs::perms(0640), fs::perms(0755)}) {
+        fs::permissions(place, mode);
+        OutputFile file(place);
+        file.stream() << "new";
+        file.keep();
+        EXPECT_EQ(fs::status(place).permissions(), mode);
+    }
+}
+
+TEST_F(OutputFileTest, replaces_what_a_link_leads_to) {
+    const fs::path near = folder / "link", far = folder / "link to link";
+    std::ofstream(place) << "old";
+    fs::create_symlink(place.filename(), near);
+    fs::create_symlink(near, far);
+    OutputFile file(far);
+    file.stream() << "new";
+    file.keep();
+    EXPECT_TRUE(fs::is_symlink(far) && fs::is_symlink(near) && !fs::is_symlink(place));
+    EXPECT_EQ(text_of(place), "new");
+    EXPECT_EQ(files(), 3);
+}
+
 TEST_F(OutputFileTest, says_where_it_cannot_write) {
     const fs::path nowhere = folder / "missing" / "part.gcode";
     try {
