@@ -28,7 +28,7 @@ std::vector<double> LineTimes::finish() {
 }
 
 void LineTimes::pass(std::int64_t line, double duration) {
-    while (times_.size() < lines_.size() && lines_[times_.size()] < line)
+    while (times_.size() < lines_.size() && lines_[times_.size()] <= line)
         times_.push_back(elapsed_);
     elapsed_ += duration;
 }
