@@ -23,9 +23,8 @@ double moving_cost(const MotorCoefficients& k, double usual_speed) {
 Features features_of(const Block& block) {
     const double seconds = duration(block);
     const double K = square(block.v_peak) - (square(block.v_entry) + square(block.v_exit)) / 2;
-    const auto share = [&](Axis axis) {
-        return block.length > 0 ? std::abs(block.delta[axis]) / block.length : 0.0;
-    };
+    const double per = block.length > 0 ? 1 / block.length : 0.0;
+    const auto share = [&](Axis axis) { return std::abs(block.delta[axis]) * per; };
     const auto hold = [&](Axis axis) {
         return std::abs(block.delta[axis]) < standstill ? seconds : 0.0;
     };
@@ -35,10 +34,6 @@ Features features_of(const Block& block) {
             .C = (rx + ry) * block.v_peak * block.t_cruise,
             .H = hold(axis_x) + hold(axis_y),
             .axis_time = 2 * seconds};
-}
-
-Features operator+(const Features& a, const Features& b) {
-    return {a.A + b.A, a.B + b.B, a.C + b.C, a.H + b.H, a.axis_time + b.axis_time};
 }
 
 double published_energy(const Features& features, const MotorCoefficients& k) {

@@ -18,7 +18,16 @@ struct Features {
 };
 
 Features features_of(const Block& block);
-Features operator+(const Features& a, const Features& b);
+
+inline Features& operator+=(Features& a, const Features& b) {
+    a.A += b.A;
+    a.B += b.B;
+    a.C += b.C;
+    a.H += b.H;
+    a.axis_time += b.axis_time;
+    return a;
+}
+inline Features operator+(Features a, const Features& b) { return a += b; }
 
 // Coefficients of Eq. 28 in J; the thesis prints mJ.
 struct MotorCoefficients {

@@ -23,6 +23,7 @@ struct Limits {
     double extrude_only_acceleration = 1250;     // mm/s²
     double instantaneous_corner_velocity = 2.5;  // mm/s
     double arc_resolution = 1.0;                 // mm
+    double path_jerk = 100'000;                  // mm/s³, of planners that limit it (s-curve)
     int drop_segments = 5;  // steps; a move of no more on every axis joins the next one
     bool slowdown = false;  // short moves are stretched while the queue runs dry
 };

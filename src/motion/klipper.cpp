@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "geom/vec.h"
 #include "motion/arc_chords.h"
@@ -15,17 +14,11 @@ namespace {
 constexpr double no_way = 1e-9;             // mm, below this nothing moves
 constexpr double no_limit = 99999999.9;     // mm/s², filament alone before its own limits
 constexpr double look_after = 0.25;         // s of moves between two looks at the queue
-constexpr double straight = 0.999999;
 constexpr double least_feed = 0.05;         // mm/s; slower is taken as this
 constexpr double most_cruise_ratio = 0.99;  // all cruise would be no speed at all
 
 double max_velocity(const Limits& limits) {
     return std::max(limits.max_feedrate[axis_x], limits.max_feedrate[axis_y]);
-}
-
-double deviation_of(const Limits& limits) {
-    return limits.square_corner_velocity * limits.square_corner_velocity *
-           (std::numbers::sqrt2 - 1) / limits.acceleration;
 }
 
 // A block from its speeds squared: distances first, times from them.
@@ -101,8 +94,7 @@ void KlipperPlanner::move(const Move& move, std::int64_t line) {
         speed = feed;
     }
     for (std::size_t i = 0; i < place_.size(); ++i)
-        queued.direction[i] = block.delta[i] / block.length;
-    queued.deviation = deviation_of(limits_);
+        queued.leg.direction[i] = block.delta[i] / block.length;
     queued.max_cruise = speed * speed;
     queued.delta = 2 * block.length * block.acceleration;
     queued.smoothed_delta = 2 * block.length * limits_.acceleration *
@@ -113,7 +105,7 @@ void KlipperPlanner::move(const Move& move, std::int64_t line) {
         limit(queued, limits_.max_feedrate[axis_z] * ratio,
               limits_.max_acceleration[axis_z] * ratio);
     }
-    const double filament = queued.direction[axis_e];
+    const double filament = queued.leg.direction[axis_e];
     const bool across = block.delta[axis_x] != 0 || block.delta[axis_y] != 0;
     if (filament != 0 && (!across || filament < 0)) {
         const double ratio = 1 / std::abs(filament);
@@ -121,6 +113,9 @@ void KlipperPlanner::move(const Move& move, std::int64_t line) {
               limits_.extrude_only_acceleration * ratio);
     }
     block.v_nominal = std::sqrt(queued.max_cruise);
+    queued.leg.length = block.length;
+    queued.leg.acceleration = block.acceleration;
+    queued.leg.deviation = corner_deviation(limits_.square_corner_velocity, limits_.acceleration);
 
     queue_.push_back(std::move(queued));
     if (queue_.size() == 1) return;
@@ -137,31 +132,12 @@ void KlipperPlanner::limit(Queued& queued, double speed, double acceleration) co
     queued.smoothed_delta = std::min(queued.smoothed_delta, queued.delta);
 }
 
-double KlipperPlanner::filament_corner(const Queued& before, const Queued& queued) const {
-    const double change = queued.direction[axis_e] - before.direction[axis_e];
-    if (change == 0) return queued.max_cruise;
-    const double v = limits_.instantaneous_corner_velocity / std::abs(change);
-    return v * v;
-}
-
 void KlipperPlanner::join(const Queued& before, Queued& queued) const {
     if (!before.head || !queued.head) return;
-    double cosine = 0;  // of the angle between the legs: -1 is straight on
-    for (const Axis i : {axis_x, axis_y, axis_z})
-        cosine -= queued.direction[i] * before.direction[i];
-    if (cosine > straight) return;
-    cosine = std::max(cosine, -straight);
-    const double half_sine = std::sqrt(0.5 * (1 - cosine));
-    const double radius = half_sine / (1 - half_sine);  // per mm of deviation
-    const double half_tangent = half_sine / std::sqrt(0.5 * (1 + cosine));
-    // The circle touches the legs no further away than at their middles.
-    const auto within = [&](const Queued& leg) {
-        const double a = leg.block().acceleration;
-        return std::min(radius * leg.deviation * a, 0.5 * leg.block().length * half_tangent * a);
-    };
-    queued.max_start =
-        std::min({within(queued), within(before), filament_corner(before, queued),
-                  queued.max_cruise, before.max_cruise, before.max_start + before.delta});
+    queued.max_start = std::min(
+        {corner_speed2(before.leg, queued.leg),
+         filament_corner_speed2(before.leg, queued.leg, limits_.instantaneous_corner_velocity),
+         queued.max_cruise, before.max_cruise, before.max_start + before.delta});
     queued.max_smoothed_start =
         std::min(queued.max_start, before.max_smoothed_start + before.smoothed_delta);
 }
@@ -203,8 +179,7 @@ void KlipperPlanner::flush(bool all) {
                 delayed.clear();
             }
             if (!searching && k < count) {
-                const double cruise =
-                    std::min({(start + reachable) * 0.5, move.max_cruise, peak});
+                const double cruise = std::min({(start + reachable) * 0.5, move.max_cruise, peak});
                 shape(move.block(), std::min(start, cruise), cruise, std::min(next_end, cruise));
             }
         } else {  // its cruise speed depends on the peak before it

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "motion/corner.h"
 #include "motion/planner.h"
 
 namespace bead {
@@ -30,12 +31,11 @@ class KlipperPlanner final : public Planner {
 
     struct Queued {
         MotionEvent event{Block{}};
-        PerAxis<double> direction{};  // way of each axis per mm of the path, signed
-        bool head = true;             // else filament alone: a full stop before and after
-        double deviation = 0;         // mm, from the corner of the circle about it
+        Leg leg;
+        bool head = true;  // else filament alone: a full stop before and after
         // Speeds squared, (mm/s)².
-        double max_start = 0, max_cruise = 0, delta = 0;          // the real plan
-        double max_smoothed_start = 0, smoothed_delta = 0;        // the smoothed one
+        double max_start = 0, max_cruise = 0, delta = 0;    // the real plan
+        double max_smoothed_start = 0, smoothed_delta = 0;  // the smoothed one
         [[nodiscard]] Block& block() { return std::get<Block>(event); }
         [[nodiscard]] const Block& block() const { return std::get<Block>(event); }
     };
@@ -49,7 +49,6 @@ class KlipperPlanner final : public Planner {
     void drain();
     void limit(Queued& queued, double speed, double acceleration) const;
     void join(const Queued& before, Queued& queued) const;
-    [[nodiscard]] double filament_corner(const Queued& before, const Queued& queued) const;
     void flush(bool all);
     void release(std::size_t count);
 
@@ -57,8 +56,8 @@ class KlipperPlanner final : public Planner {
     MotionSink sink_;
     Position place_{};  // mm
     std::deque<Queued> queue_;
-    double until_flush_;  // s of moves still to come before the queue is looked at
-    std::size_t gone_ = 0;                                     // blocks told so far
+    double until_flush_;    // s of moves still to come before the queue is looked at
+    std::size_t gone_ = 0;  // blocks told so far
     std::deque<std::pair<std::size_t, MotionEvent>> between_;  // to be told before block …
 };
 

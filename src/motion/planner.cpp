@@ -3,6 +3,7 @@
 #include "motion/klipper.h"
 #include "motion/marlin.h"
 #include "motion/prusa.h"
+#include "motion/s_curve.h"
 
 namespace bead {
 
@@ -30,7 +31,7 @@ std::unique_ptr<Planner> make_planner(const Limits& limits, const PlannerOptions
         case Firmware::klipper:
             return std::make_unique<KlipperPlanner>(limits, std::move(sink));
         case Firmware::s_curve:
-            break;
+            return std::make_unique<SCurvePlanner>(limits, std::move(sink));
     }
     return nullptr;
 }

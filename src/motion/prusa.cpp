@@ -32,6 +32,8 @@ PrusaPlanner::PrusaPlanner(const Limits& limits, const PrusaOptions& options, Mo
       arcs_(options.arcs),
       queue_(rules_of(options), std::move(sink)) {
     BEAD_EXPECTS(options.lookahead == 0 || options.lookahead >= 4);
+    for (std::size_t i = 0; i < mm_per_step_.size(); ++i)
+        mm_per_step_[i] = 1 / limits.steps_per_mm[i];
 }
 
 void PrusaPlanner::add(const Command& command) { obey(*this, command); }
@@ -89,7 +91,7 @@ void PrusaPlanner::measure(const Move& move, const StepMove& taken, Block& block
                            PerAxis<double>& speed) const {
     PerAxis<double>& delta = block.delta;
     for (std::size_t i = 0; i < delta.size(); ++i)
-        delta[i] = static_cast<double>(taken.steps[i]) / limits_.steps_per_mm[i];
+        delta[i] = static_cast<double>(taken.steps[i]) * mm_per_step_[i];
     block.length = taken.filament ? std::abs(delta[axis_e])
                                   : length(Vec3{delta[axis_x], delta[axis_y], delta[axis_z]});
     const double feed = std::max(move.feed, least_feed);

@@ -100,6 +100,7 @@ class PrusaPlanner final : public Planner {
     [[nodiscard]] Junction enter(const Block& block, const PerAxis<double>& speed);
 
     Limits limits_;
+    PerAxis<double> mm_per_step_{};
     PrusaQuirks quirks_;
     ArcStyle arcs_;
     LookAhead queue_;

@@ -21,18 +21,19 @@ Trapezoid trapezoid_of_squares(double length, double v_nominal, double entry2, d
     const double in = std::min(entry2, most);
     const double out = std::clamp(std::min(exit2, most), std::max(0.0, in - room), in + room);
 
+    const double per = 1 / acceleration;
     Trapezoid t;
     t.v_entry = in < most ? std::sqrt(in) : v_nominal;
     t.v_exit = out < most ? std::sqrt(out) : v_nominal;
     const double apex = (room + in + out) / 2;  // squared
     if (apex > most) {
         t.v_peak = v_nominal;
-        t.t_cruise = (length - (2 * most - in - out) / (2 * acceleration)) / v_nominal;
+        t.t_cruise = (length - (most - (in + out) / 2) * per) / v_nominal;
     } else {
         t.v_peak = std::max({std::sqrt(apex), t.v_entry, t.v_exit});
     }
-    t.t_accel = (t.v_peak - t.v_entry) / acceleration;
-    t.t_decel = (t.v_peak - t.v_exit) / acceleration;
+    t.t_accel = (t.v_peak - t.v_entry) * per;
+    t.t_decel = (t.v_peak - t.v_exit) * per;
     return t;
 }
 
