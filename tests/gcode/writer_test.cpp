@@ -86,6 +86,55 @@ RC_GTEST_PROP(Writer, is_undone_by_the_reader, (bool relative)) {
     RC_ASSERT(reading.report.malformed == 0);
 }
 
+// Arcs in every plane, with and without an end elsewhere, between moves and G92.
+std::vector<Command> arcs_of(const std::vector<StreamStep>& steps) {
+    std::vector<Command> commands;
+    Position at{};
+    for (const StreamStep& step : steps) {
+        Arc arc{.end = {},
+                .centre = {step.x * 1e-3 + 500, step.y * 1e-3},
+                .clockwise = step.choice % 2 == 0,
+                .plane = Plane(step.choice % 3),
+                .more_turns = step.choice % 5 == 0 ? step.choice % 7 : 0};
+        if (step.kind % 4 != 0) at = {step.y * 1e-3, step.x * 1e-3, step.z * 1e-3, at[axis_e]};
+        const bool extrudes = step.kind % 3 == 0;
+        if (extrudes) at[axis_e] += step.e * 1e-5;
+        arc.end = {at, 10, extrudes ? Role::wall : Role::travel, {}};
+        commands.push_back({arc, 0});
+        if (step.kind == 7) {
+            at[axis_x] = 0.5;
+            commands.push_back({SetPosition{{0.5, {}, {}, {}}}, 0});
+        }
+    }
+    commands.push_back({Home{}, 0});
+    return commands;
+}
+
+RC_GTEST_PROP(Writer, is_undone_by_the_reader_for_arcs, (bool relative)) {
+    const std::vector<Command> commands = arcs_of(*stream_plans());
+    const Reading reading =
+        reading_of(text_of(commands, {.relative_e = relative}), Firmware::marlin_jd);
+    RC_ASSERT(reading.commands.size() == commands.size());
+    for (std::size_t i = 0; i < commands.size(); ++i)
+        RC_ASSERT(same(commands[i], reading.commands[i]));
+    RC_ASSERT(reading.report.malformed == 0);
+}
+
+TEST(Writer, is_undone_by_the_reader_for_each_firmwares_limits) {
+    SetLimits marlin;
+    marlin.jerk[axis_x] = 7.5;
+    marlin.junction_deviation = 0.01234;
+    const SetLimits klipper{.max_velocity = 300,
+                            .max_acceleration_head = 5000,
+                            .square_corner_velocity = 5.5,
+                            .minimum_cruise_ratio = 0.125};
+    for (const auto& [limits, firmware] :
+         {std::pair{marlin, Firmware::marlin_jd}, {klipper, Firmware::klipper}}) {
+        const Reading reading = reading_of(text_of({{Home{}, 0}, {limits, 0}}), firmware);
+        EXPECT_TRUE(near(reading.last<SetLimits>(), limits)) << name_of(firmware);
+    }
+}
+
 RC_GTEST_PROP(Writer, writes_what_it_wrote_when_read, (bool relative)) {
     const WriteOptions options{.relative_e = relative};
     const std::string text = text_of(stream_of(*stream_plans()), options);
