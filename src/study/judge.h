@@ -33,13 +33,18 @@ class Judge {
     Judge(const Judge&) = delete;  // the planner reports to this very object
     Judge& operator=(const Judge&) = delete;
 
-    void add(const Command& command) { planner_->add(command); }
+    void add(const Command& command) {
+        planner_->add(command);
+        follow(command);
+    }
     Assessment finish();
     [[nodiscard]] const Limits& limits() const { return planner_->limits(); }
 
   private:
     void hear(const MotionEvent& event);
+    void follow(const Command& command);
 
+    bool moved_ = false;
     EnergyMeter meter_;
     MotionTotals totals_;
     Features features_;

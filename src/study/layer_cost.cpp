@@ -55,8 +55,8 @@ Nozzle warm_start(Judge& judge, const LayerParts& layer, const Jury& jury) {
     Nozzle nozzle;
     append_start(start, nozzle, jury.program);
     if (layer.index > 0) start.push_back({SetFan{jury.program.fan}});
-    nozzle.at = {jury.machine.printer.bed[0] / 2, jury.machine.printer.bed[1] / 2,
-                 layer.z - layer.height, 0};
+    const Vec2 middle = middle_of_bed(jury.machine.printer);
+    nozzle.at = {middle.x, middle.y, layer.z - layer.height, 0};
     SetPosition here;
     for (std::size_t i = 0; i < nozzle.at.size(); ++i) here.to[i] = nozzle.at[i];
     start.push_back({here});

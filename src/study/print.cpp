@@ -14,12 +14,19 @@ Box2 footprint(std::span<const LayerParts> parts) {
     return box;
 }
 
+// About X0 Y0.
+bool fits_round_bed(const Box2& box, double diameter) {
+    if (box.is_empty()) return true;
+    const Vec2 farthest{std::max(-box.low.x, box.high.x), std::max(-box.low.y, box.high.y)};
+    return length(farthest) <= diameter / 2;
+}
+
 }  // namespace
 
 std::vector<LayerParts> on_bed(std::span<const LayerParts> parts, double rotation,
                                const Printer& printer) {
     const Vec2 middle = footprint(parts).centre();
-    const Vec2 bed{printer.bed[0] / 2, printer.bed[1] / 2};
+    const Vec2 bed = middle_of_bed(printer);
     std::vector<LayerParts> placed;
     placed.reserve(parts.size());
     for (const LayerParts& layer : parts)
@@ -32,8 +39,11 @@ bool fits_bed(std::span<const LayerParts> parts, const Printer& printer) {
     for (const LayerParts& layer : parts)
         for (const Polyline& loop : layer.skirt) box.include(bounds(loop));
     const double top = parts.empty() ? 0 : parts.back().z;
-    return box.low.x >= 0 && box.low.y >= 0 && box.high.x <= printer.bed[0] &&
-           box.high.y <= printer.bed[1] && top <= printer.bed[2];
+    const bool flat_fits = printer.kinematics == Kinematics::delta
+                               ? fits_round_bed(box, printer.bed[0])
+                               : box.low.x >= 0 && box.low.y >= 0 && box.high.x <= printer.bed[0] &&
+                                     box.high.y <= printer.bed[1];
+    return flat_fits && top <= printer.bed[2];
 }
 
 std::vector<FillChoice> uniform_choices(std::size_t layers, const PlanOptions& options) {
