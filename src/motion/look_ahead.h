@@ -26,11 +26,11 @@ struct LookAheadRules {
 
 // How a block may be entered and left; speeds squared, (mm/s)².
 struct Junction {
-    double max_entry = 0;    // what the junction before it allows
-    double entry = 0;        // at first: also with regard to its own length
-    double last_exit = 0;    // its speed at its end while nothing follows
-    bool halt = false;       // starts from a full halt …
-    bool apart = false;      // … that the block before it ends with its own last_exit for
+    double max_entry = 0;     // what the junction before it allows
+    double entry = 0;         // at first: also with regard to its own length
+    double last_exit = 0;     // its speed at its end while nothing follows
+    bool halt = false;        // starts from a full halt …
+    bool apart = false;       // … that the block before it ends with its own last_exit for
     bool at_nominal = false;  // reaches its nominal speed whatever the rest: skips the sweeps
 };
 
@@ -44,6 +44,7 @@ class LookAhead {
     void pass(const MotionEvent& event);
     void drain();
     [[nodiscard]] bool empty() const { return begin_ == end_; }
+    [[nodiscard]] std::size_t size() const { return end_ - begin_; }
     // Blocks that wait and do not run yet.
     [[nodiscard]] std::size_t waiting() const;
 
@@ -51,14 +52,14 @@ class LookAhead {
     void make_room();
 
   private:
-    struct Place {            // speeds squared, (mm/s)²
-        double max_entry;     // what the junction allows
-        double brake_entry;   // from which what follows can be braked for
-        double entry;         // which the blocks before can reach too
-        double last_exit;     // while nothing follows
-        double room;          // by how much v² can change along it
+    struct Place {           // speeds squared, (mm/s)²
+        double max_entry;    // what the junction allows
+        double brake_entry;  // from which what follows can be braked for
+        double entry;        // which the blocks before can reach too
+        double last_exit;    // while nothing follows
+        double room;         // by how much v² can change along it
         bool halt, apart, at_nominal;
-        bool pinned;          // entry is final
+        bool pinned;  // entry is final
     };
 
     Place& place(std::size_t k) { return places_[k & mask_]; }

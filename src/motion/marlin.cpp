@@ -11,6 +11,7 @@
 #include "motion/arc_chords.h"
 #include "motion/limit_changes.h"
 #include "motion/obey.h"
+#include "motion/slowdown.h"
 
 namespace bead {
 namespace {
@@ -136,11 +137,14 @@ MarlinPlanner::Planned MarlinPlanner::measured(const StepMove& taken, double fee
     for (std::size_t i = 0; i < p.way.size(); ++i)
         p.way[i] = float(taken.steps[i]) * (1.0F / float(limits_.steps_per_mm[i]));
     p.extrudes = taken.steps[axis_e] != 0;
-    p.length = taken.filament ? std::abs(p.way[axis_e])
-                              : std::sqrt(square(p.way[axis_x]) + square(p.way[axis_y]) +
-                                          square(p.way[axis_z]));
+    p.length =
+        taken.filament
+            ? std::abs(p.way[axis_e])
+            : std::sqrt(square(p.way[axis_x]) + square(p.way[axis_y]) + square(p.way[axis_z]));
     const float per_length = 1.0F / p.length;
-    const float per_second = float(std::max(feed, least_feed)) * per_length;
+    double asked = std::max(feed, least_feed);
+    if (limits_.slowdown) asked = slowed_feed(asked, p.length, queue_.waiting());
+    const float per_second = float(asked) * per_length;
     p.nominal = p.length * per_second;
     float factor = 1;
     for (std::size_t i = 0; i < p.speed.size(); ++i) {
@@ -159,7 +163,7 @@ MarlinPlanner::Planned MarlinPlanner::measured(const StepMove& taken, double fee
 
 // Steps/s² of the axis that makes most steps: whole ones.
 float MarlinPlanner::path_acceleration(const StepMove& taken, float steps_per_mm) const {
-    const double asked = !taken.head                 ? limits_.retract_acceleration
+    const double asked = !taken.head                ? limits_.retract_acceleration
                          : taken.steps[axis_e] != 0 ? limits_.acceleration
                                                     : limits_.travel_acceleration;
     auto rate = static_cast<std::int64_t>(std::ceil(float(asked) * steps_per_mm));
@@ -204,9 +208,11 @@ float MarlinPlanner::corner_by_deviation(const Planned& p, bool first) {
         if (acceleration * std::abs(across[i]) > most) acceleration = std::abs(most / across[i]);
     }
     const float half_sine = std::sqrt(0.5F * (1.0F - cosine));
-    float corner = acceleration * float(limits_.junction_deviation) * half_sine / (1.0F - half_sine);
+    float corner =
+        acceleration * float(limits_.junction_deviation) * half_sine / (1.0F - half_sine);
     if (p.length < 1 && cosine < -0.7071067812F)
-        corner = std::min(corner, p.length * acceleration / turning_angle(cosine, options_.corrected));
+        corner =
+            std::min(corner, p.length * acceleration / turning_angle(cosine, options_.corrected));
     return std::min({corner, square(p.nominal), square(previous_nominal_)});
 }
 
@@ -225,7 +231,8 @@ float MarlinPlanner::corner_by_jerk(const Planned& p, bool first) {
     float factor = 1;
     for (std::size_t i = 0; i < p.speed.size(); ++i) {
         const float out = previous_speed_[i] * slowed, in = p.speed[i] * entered;
-        const float jerk = out * in > 0 ? std::abs(out - in) : std::max(std::abs(out), std::abs(in));
+        const float jerk =
+            out * in > 0 ? std::abs(out - in) : std::max(std::abs(out), std::abs(in));
         const float most = float(limits_.jerk[i]);
         if (jerk > most) factor = std::min(factor, most / jerk);
     }

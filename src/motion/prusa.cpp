@@ -8,6 +8,7 @@
 #include "motion/jerk.h"
 #include "motion/limit_changes.h"
 #include "motion/obey.h"
+#include "motion/slowdown.h"
 
 namespace bead {
 namespace {
@@ -94,7 +95,8 @@ void PrusaPlanner::measure(const Move& move, const StepMove& taken, Block& block
         delta[i] = static_cast<double>(taken.steps[i]) * mm_per_step_[i];
     block.length = taken.filament ? std::abs(delta[axis_e])
                                   : length(Vec3{delta[axis_x], delta[axis_y], delta[axis_z]});
-    const double feed = std::max(move.feed, least_feed);
+    double feed = std::max(move.feed, least_feed);
+    if (limits_.slowdown) feed = slowed_feed(feed, block.length, queue_.size());
     const double per_mm = feed / block.length;
     double scale = 1;
     for (std::size_t i = 0; i < speed.size(); ++i) {

@@ -78,5 +78,21 @@ TEST(Prusa, ShortMovesJoinTheNextOne) {
     EXPECT_DOUBLE_EQ(blocks[0].length, 10);
 }
 
+// The third of three moves of 10 ms finds two in the queue: it takes 10 + 2·(20 - 10)/2 ms.
+TEST(Prusa, SlowsShortMovesDownWhileTheQueueIsLow) {
+    Limits limits;
+    limits.slowdown = true;
+    std::vector<Command> program;
+    for (int i = 1; i <= 12; ++i)
+        program.push_back({Move{{0.5 * i, 0, 0, 0}, 50, Role::travel, {}}, i});
+    for (const Firmware firmware : {Firmware::prusa, Firmware::marlin_jerk}) {
+        const std::vector<Block> blocks = blocks_of(program, {firmware, false, 16}, limits);
+        EXPECT_NEAR(blocks[1].v_nominal, 50, 1e-5);
+        EXPECT_NEAR(blocks[2].v_nominal, 25, 1e-5);
+        EXPECT_GT(blocks[7].v_nominal, blocks[3].v_nominal);
+        EXPECT_NEAR(blocks[8].v_nominal, 50, 1e-5);
+    }
+}
+
 }  // namespace
 }  // namespace bead
