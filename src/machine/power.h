@@ -5,11 +5,13 @@
 
 namespace bead {
 
+// One per slot (machine/kinematics.h). What is a motor's follows the motor; friction and mass are
+// the axis' of the slot's name, whoever pulls it, but on a delta each carriage's own.
 struct Motor {
     double standing = 0;     // W, winding loss while energised, moving or not
-    double per_speed = 0;    // W per mm/s of axis speed (iron loss, viscous friction)
-    double friction = 0;     // N, constant friction of the axis
-    double moving_mass = 0;  // kg, all that the axis carries, rotor included
+    double per_speed = 0;    // W per mm/s of the motor's belt (iron loss, viscous friction)
+    double friction = 0;     // N, constant friction of the rails
+    double moving_mass = 0;  // kg, all that moves along the axis, rotors included
     double efficiency = 1;   // mechanical, from electrical input above standing to motion
 };
 
