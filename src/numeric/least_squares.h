@@ -12,8 +12,8 @@ using Row = std::vector<double>;
 using Rows = std::vector<Row>;  // all of the same length, the number of coefficients
 
 struct FitOptions {
-    std::vector<double> weights;  // one above 0 per row; empty: all 1
-    bool non_negative = false;    // coefficients below 0 are held at 0 (Lawson and Hanson 1974)
+    std::vector<double> weights{};  // one above 0 per row; empty: all 1
+    bool non_negative = false;      // coefficients below 0 are held at 0 (Lawson and Hanson 1974)
 };
 
 struct LinearFit {
