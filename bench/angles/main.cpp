@@ -35,8 +35,8 @@ std::vector<Cost> swept(const Rig& rig, Task task) {
 
 template <class Quantity>
 std::vector<double> values_of(const std::vector<Cost>& costs, const Quantity& quantity) {
-    std::vector<double> values;
-    for (const Cost& cost : costs) values.push_back(quantity(cost));
+    std::vector<double> values(costs.size());
+    std::ranges::transform(costs, values.begin(), quantity);
     return values;
 }
 

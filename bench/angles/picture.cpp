@@ -17,8 +17,8 @@ constexpr std::array inks{"#b5702f", "#e0b07a", "#86351d", "#2c5a85", "#7fb0dd",
 
 std::vector<double> above_least(const std::vector<double>& values) {
     const double least = std::ranges::min(values);
-    std::vector<double> percent;
-    for (const double value : values) percent.push_back(100 * (value / least - 1));
+    std::vector<double> percent(values);
+    for (double& value : percent) value = 100 * (value / least - 1);
     return percent;
 }
 
@@ -32,6 +32,12 @@ double highest(const Panel& panel) {
 struct Corner {
     double x = 0, y = 0;
 };
+
+// The place of cell k when they are put in rows of `across`.
+Corner cell(std::size_t k, std::size_t across, double wide, double high) {
+    const std::size_t row = k / across, column = k % across;
+    return {wide * static_cast<double>(column), high * static_cast<double>(row)};
+}
 
 std::string grid(Corner at, double most, double step) {
     std::string out;
@@ -75,8 +81,8 @@ std::string drawn(const Panel& panel, Corner at) {
 std::string key(const std::vector<Curve>& curves, double bottom) {
     std::string out;
     for (std::size_t k = 0; k < curves.size(); ++k) {
-        const double x = left + 250 * static_cast<double>(k % 3);
-        const double y = bottom + 20 * static_cast<double>(k / 3);
+        const Corner at = cell(k, 3, 250, 20);
+        const double x = left + at.x, y = bottom + at.y;
         out += fmt::format(
             "<path d=\"M{} {}h24\" stroke=\"{}\" stroke-width=\"3\"/><text x=\"{}\" y=\"{}\">{}"
             "</text>\n",
@@ -89,17 +95,17 @@ std::string key(const std::vector<Curve>& curves, double bottom) {
 }  // namespace
 
 std::string picture(const std::vector<Panel>& panels) {
-    const auto rows = static_cast<double>((panels.size() + columns - 1) / columns);
     const double whole = left + columns * width + (columns - 1) * gap + 24;
-    const double bottom = rows * (height + below) + 32;
+    const double bottom = cell(panels.size() + columns - 1, columns, 0, height + below).y + 32;
     std::string out = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" "
         "font-family=\"sans-serif\" "
         "font-size=\"13\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
         decimal(whole), decimal(bottom + 36));
-    for (std::size_t i = 0; i < panels.size(); ++i)
-        out += drawn(panels[i], {left + (width + gap) * static_cast<double>(i % columns),
-                                 top + (height + below) * static_cast<double>(i / columns)});
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        const Corner at = cell(i, columns, width + gap, height + below);
+        out += drawn(panels[i], {left + at.x, top + at.y});
+    }
     return out + key(panels.front().curves, bottom) + "</svg>\n";
 }
 
