@@ -26,14 +26,6 @@ std::string_view name_in(std::string_view kind, std::string_view path) {
     return path.substr(0, path.size() - extension.size());
 }
 
-DataFile file_on_disk(std::string_view kind, const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file.is_open() || std::filesystem::is_directory(path))
-        throw Error(
-            fmt::format("{}: cannot be read; is the path of the {} file right?", path, kind));
-    return {path, {std::istreambuf_iterator<char>(file), {}}};
-}
-
 [[noreturn]] void refuse(std::string_view kind, std::string_view name) {
     const std::vector<std::string> names = data_names(kind);
     const std::vector<std::string_view> views(names.begin(), names.end());
@@ -43,6 +35,14 @@ DataFile file_on_disk(std::string_view kind, const std::string& path) {
 }
 
 }  // namespace
+
+DataFile file_on_disk(std::string_view kind, const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file.is_open() || std::filesystem::is_directory(path))
+        throw Error(
+            fmt::format("{}: cannot be read; is the path of the {} file right?", path, kind));
+    return {path, {std::istreambuf_iterator<char>(file), {}}};
+}
 
 DataFile data_file(std::string_view kind, const std::string& name_or_file) {
     if (name_or_file.ends_with(extension)) return file_on_disk(kind, name_or_file);

@@ -16,6 +16,9 @@ struct DataFile {
 // unreadable.
 DataFile data_file(std::string_view kind, const std::string& name_or_file);
 
+// Throws Error if it cannot be read.
+DataFile file_on_disk(std::string_view kind, const std::string& path);
+
 // Built-in names, in the alphabet's order.
 std::vector<std::string> data_names(std::string_view kind);
 

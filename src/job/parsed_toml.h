@@ -22,7 +22,14 @@
 #include <string>
 #include <string_view>
 
+#include "core/error.h"
+
 namespace bead {
+
+// Where something stands, for messages: "my.toml:7", or of an option ("--…"), which has no lines,
+// its name; and whose fault it is.
+std::string place_in(std::string_view file, toml::source_index line);
+Fault fault_in(std::string_view file);
 
 // `file` names the text in messages. Throws Error with the line that is not TOML.
 toml::table parsed_toml(std::string_view text, const std::string& file);

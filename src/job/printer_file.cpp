@@ -1,8 +1,17 @@
 #include "job/printer_file.h"
 
-#include <filesystem>
+#include <fmt/format.h>
 
+#include <cctype>
+#include <filesystem>
+#include <optional>
+
+#include "core/error.h"
 #include "job/data_file.h"
+#include "job/klipper_config.h"
+#include "job/limit_table.h"
+#include "job/marlin_dump.h"
+#include "job/one_line.h"
 #include "job/toml_reader.h"
 
 namespace bead {
@@ -10,39 +19,12 @@ namespace bead {
 namespace {
 
 constexpr std::string_view kind = "printer";
-constexpr const char* usual = "prusa-mk3s";
 
 constexpr std::array<std::string_view, 4> kinematics_names{"cartesian", "corexy", "corexz",
                                                            "delta"};
 constexpr Range fraction{.low = 0, .high = 1};
 constexpr Range positive_fraction{.low = 0, .high = 1, .open_low = true};
 constexpr Range celsius{.low = -50, .high = 100};  // of the room or the chamber
-
-Limits read_limits(TomlReader& file, const Limits& usually) {
-    Limits l = usually;
-    l.steps_per_mm = file.numbers("limits.steps_per_mm", l.steps_per_mm, positive);
-    l.max_feedrate = file.numbers("limits.max_feedrate_mm_s", l.max_feedrate, positive);
-    l.max_acceleration =
-        file.numbers("limits.max_acceleration_mm_s2", l.max_acceleration, positive);
-    l.jerk = file.numbers("limits.jerk_mm_s", l.jerk, positive);
-    const auto read = [&](double& value, std::string_view key, const Range& range) {
-        value = file.number(key, value, range);
-    };
-    read(l.acceleration, "limits.acceleration_mm_s2", positive);
-    read(l.retract_acceleration, "limits.retract_acceleration_mm_s2", positive);
-    read(l.travel_acceleration, "limits.travel_acceleration_mm_s2", positive);
-    read(l.junction_deviation, "limits.junction_deviation_mm", not_negative);
-    read(l.square_corner_velocity, "limits.square_corner_velocity_mm_s", not_negative);
-    read(l.minimum_cruise_ratio, "limits.minimum_cruise_ratio", fraction);
-    read(l.extrude_only_velocity, "limits.extrude_only_velocity_mm_s", positive);
-    read(l.extrude_only_acceleration, "limits.extrude_only_acceleration_mm_s2", positive);
-    read(l.instantaneous_corner_velocity, "limits.instantaneous_corner_velocity_mm_s", positive);
-    read(l.arc_resolution, "limits.arc_resolution_mm", positive);
-    l.drop_segments =
-        file.integer("limits.drop_segments_steps", l.drop_segments, {.low = 0, .high = 1000});
-    l.slowdown = file.flag("limits.slowdown", l.slowdown);
-    return l;
-}
 
 // The file has one array of X, Y, Z, E per quantity.
 std::array<Motor, 4> read_motors(TomlReader& file, std::array<Motor, 4> motors) {
@@ -100,37 +82,86 @@ PowerModel read_power(TomlReader& file, const PowerModel& p) {
 }
 
 // Left out, a delta has the usual proportions: arms that reach well across the bed.
-Delta read_delta(TomlReader& file, double bed) {
-    Delta d;
-    d.radius = file.number("delta.radius_mm", 0.7 * bed, positive);
-    d.arm = file.number("delta.arm_mm", 1.9 * d.radius, {.low = d.radius, .open_low = true});
+Delta read_delta(TomlReader& file, double bed, const std::optional<Delta>& known) {
+    Delta d = known.value_or(Delta{});
+    d.radius = file.number("delta.radius_mm", known ? d.radius : 0.7 * bed, positive);
+    d.arm = file.number("delta.arm_mm", known ? d.arm : 1.9 * d.radius,
+                        {.low = d.radius, .open_low = true});
     d.head_mass = file.number("delta.head_mass_kg", d.head_mass, not_negative);
     return d;
 }
 
-Printer read_printer(const DataFile& data, const std::string& name, const Printer& usually) {
-    TomlReader file(data.text, data.place);
+// What a printer has that the text does not say.
+struct Basis {
     Printer printer;
-    printer.name = file.text("name", name);
+    std::optional<Delta> delta;  // nothing: in proportion to the bed
+};
+
+PrinterFile read_printer(const DataFile& data, const Basis& basis) {
+    TomlReader file(data.text, data.place);
+    PrinterFile read{basis.printer, {}};
+    Printer& printer = read.printer;
+    printer.name = file.text("name", printer.name);
     printer.kinematics = static_cast<Kinematics>(
-        file.choice("kinematics", static_cast<std::size_t>(usually.kinematics), kinematics_names));
-    printer.bed = file.numbers("bed_mm", usually.bed, positive);
-    printer.delta = read_delta(file, printer.bed[0]);
-    printer.nozzle = file.number("nozzle_mm", usually.nozzle, positive);
-    printer.filament = file.number("filament_mm", usually.filament, positive);
-    printer.limits = read_limits(file, usually.limits);
-    printer.power = read_power(file, usually.power);
+        file.choice("kinematics", static_cast<std::size_t>(printer.kinematics), kinematics_names));
+    printer.bed = file.numbers("bed_mm", printer.bed, positive);
+    printer.delta = read_delta(file, printer.bed[0], basis.delta);
+    printer.nozzle = file.number("nozzle_mm", printer.nozzle, positive);
+    printer.filament = file.number("filament_mm", printer.filament, positive);
+    printer.power = read_power(file, printer.power);
+    read.says.limits = stated_limits(file);
+    for (const StatedLimit& limit : read.says.limits)
+        named_limit(limit.name).put(printer.limits, limit.axis, limit.value);
     file.ignore("vibration");
     file.finish();
-    return printer;
+    return read;
+}
+
+void call_all(Statement& says, const std::string& source) {
+    for (StatedLimit& limit : says.limits) limit.source = source;
+}
+
+PrinterFile read_toml(const std::string& name_or_file, Printer usual) {
+    usual.name = std::filesystem::path(name_or_file).stem().string();
+    const DataFile data = data_file(kind, name_or_file);
+    PrinterFile read = read_printer(data, {usual, {}});
+    if (!name_or_file.ends_with(".toml")) call_all(read.says, data.place);
+    return read;
+}
+
+// Words as a value need no quotes here, nor do they in the settings of a print.
+std::string as_toml(std::string_view setting) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string_view::npos)
+        throw Error(fmt::format("--set {}: write it as name=value", setting), Fault::usage);
+    const std::string_view name = trimmed(setting.substr(0, equals));
+    const std::string_view value = trimmed(setting.substr(equals + 1));
+    const bool is_word = !value.empty() && std::isalpha(static_cast<unsigned char>(value[0])) != 0;
+    const bool has_meaning =
+        value == "true" || value == "false" || value == "inf" || value == "nan";
+    return is_word && !has_meaning ? fmt::format("{} = \"{}\"", name, value)
+                                   : fmt::format("{} = {}", name, value);
 }
 
 }  // namespace
 
+PrinterFile read_printer_file(const std::string& name_or_file) {
+    const Printer usual = read_toml(usual_printer, {}).printer;
+    if (name_or_file.ends_with(".cfg"))
+        return read_klipper_config(file_on_disk(kind, name_or_file), usual);
+    if (name_or_file.ends_with(".txt") || name_or_file.ends_with(".log"))
+        return read_marlin_dump(file_on_disk(kind, name_or_file), usual);
+    return read_toml(name_or_file, usual);
+}
+
 Printer load_printer(const std::string& name_or_file) {
-    const DataFile data = data_file(kind, name_or_file);
-    const Printer usually = read_printer(data_file(kind, usual), usual, {});
-    return read_printer(data, std::filesystem::path(name_or_file).stem().string(), usually);
+    return read_printer_file(name_or_file).printer;
+}
+
+PrinterFile with_setting(const Printer& printer, std::string_view setting) {
+    PrinterFile read = read_printer({"--set", as_toml(setting)}, {printer, printer.delta});
+    call_all(read.says, "--set");
+    return read;
 }
 
 std::vector<std::string> printer_names() { return data_names(kind); }

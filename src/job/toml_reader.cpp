@@ -20,11 +20,11 @@ struct TomlReader::Document {
     std::set<std::string, std::less<>> asked, ignored;
 
     [[nodiscard]] std::string where(const toml::node& node) const {
-        return fmt::format("{}:{}", place, node.source().begin.line);
+        return place_in(place, node.source().begin.line);
     }
     [[noreturn]] void fail(const toml::node& node, std::string_view key,
                            std::string_view what) const {
-        throw Error(fmt::format("{}: {} {}", where(node), key, what));
+        throw Error(fmt::format("{}: {} {}", where(node), key, what), fault_in(place));
     }
     const toml::node* find(std::string_view key) {
         asked.emplace(key);
@@ -127,6 +127,12 @@ std::size_t TomlReader::choice(std::string_view key, std::size_t fallback,
         document_->fail(*document_->find(key), key,
                         fmt::format("is {} but must be one of {}", word, fmt::join(names, ", ")));
     return static_cast<std::size_t>(found - names.begin());
+}
+
+std::optional<std::string> TomlReader::place_of(std::string_view key) {
+    const toml::node* node = document_->find(key);
+    if (node == nullptr) return std::nullopt;
+    return document_->where(*node);
 }
 
 void TomlReader::ignore(std::string_view key) { document_->ignored.emplace(key); }

@@ -8,6 +8,7 @@
 #include <array>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,7 +27,8 @@ inline constexpr Range not_negative{.low = 0};
 // Keys are given with their tables: "limits.jerk_mm_s". A key that is absent gives the fallback.
 class TomlReader {
   public:
-    // `place` names the text in messages.
+    // `place` names the text in messages; an option ("--…") has no lines, and makes what is wrong
+    // with it a fault of usage.
     TomlReader(std::string_view text, std::string place);
     TomlReader(TomlReader&&) noexcept;
     ~TomlReader();
@@ -45,6 +47,8 @@ class TomlReader {
         read_numbers(key, fallback, range);
         return fallback;
     }
+    // Where the file says it, "my.toml:7"; nothing if it does not.
+    std::optional<std::string> place_of(std::string_view key);
     // The key and all below it may say anything.
     void ignore(std::string_view key);
 

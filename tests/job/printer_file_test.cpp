@@ -136,7 +136,7 @@ TEST(PrinterFile, RefusesWhatCannotBe) {
              Wrong{"limits = 5", "limits must be a table"},
              Wrong{"[limits]\nslowdown = 1", "must be true or false"},
              Wrong{"[limits]\ndrop_segments_steps = 1.5", "must be a whole number"},
-             Wrong{"[limits]\njerk_mm_s = [10, 10, inf, 5]", "must be above 0"},
+             Wrong{"[limits]\njerk_mm_s = [10, 10, inf, 5]", "must be at least"},
              Wrong{"[power]\nsupply_efficiency = 1.5", "above 0 and at most 1"},
              Wrong{"[power.bed]\nresistance_k_w = 0", "must be above 0"},
              Wrong{"[delta]\nradius_mm = 100\narm_mm = 100",
