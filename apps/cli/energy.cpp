@@ -4,8 +4,7 @@
 #include "command.h"
 #include "energy/interval.h"
 #include "energy_table.h"
-#include "gcode_file.h"
-#include "json_result.h"
+#include "limits_report.h"
 
 namespace bead::cli {
 namespace {
@@ -18,10 +17,10 @@ struct Options {
 
 void print_text(const Console& console, const Options& options, const JudgedFile& judged) {
     const EnergyReport& report = judged.cost.energy;
-    const Interval interval = interval_95(report.energy, judged.machine.printer.power);
+    const Interval interval = interval_95(report.energy, judged.choice.machine.printer.power);
     console.say("{}: {}\n", options.file, described(judged.file));
-    console.say("power data of {}; limits from {}\n\n", printer_label(options.machine),
-                judged.limits_source);
+    console.say("power data of {}; firmware {} (from: {})\n\n", printer_label(options.machine),
+                name_of(judged.choice.firmware.firmware), judged.choice.firmware.source);
     console.say("from the wall   {}  (95 % sure: {:.1f} to {:.1f} Wh), {:.0f} g of CO2\n",
                 console.strong(fmt::format("{:.1f} Wh", total(report.energy) / 3600)),
                 interval.low / 3600, interval.high / 3600, report.co2);
@@ -39,6 +38,10 @@ void print_text(const Console& console, const Options& options, const JudgedFile
         published_energy(judged.cost.features) / 1000, standing_form(judged.cost.features) / 1000);
     if (report.energy.bed + report.energy.hotend == 0)
         console.say("The file sets no temperature: heaters are not in these figures.\n");
+    print_limits(console, judged);
+    if (const std::string ignored = ignored_in(judged.file); !ignored.empty())
+        console.say("without effect here: {}\n", ignored);
+    for (const std::string& note : judged.choice.notes) console.say("note: {}\n", note);
 }
 
 void energy(const Options& options) {
@@ -48,9 +51,11 @@ void energy(const Options& options) {
 
     Json result = result_head("energy", {options.file});
     result["model"] = "physics";
-    result.update(energy_json(judged.cost, judged.machine.printer.power));
+    result.update(energy_json(judged.cost, judged.choice.machine.printer.power));
     result["time_s"] = judged.cost.motion.duration;
-    result["limits"] = limits_json(judged.machine.printer.limits, judged.limits_source);
+    result["limits"] = limits_json(judged);
+    result["firmware"] = name_of(judged.choice.firmware.firmware);
+    result["firmware_source"] = judged.choice.firmware.source;
     write_result(options.output.json, result);
 }
 

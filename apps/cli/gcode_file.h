@@ -1,24 +1,37 @@
-// Judges a G-code file on a machine, with the limits that apply to it: those of --printer if one
-// was named, else those that the slicer noted in the file, else the default printer's; and on top
-// whatever the file itself sets while it runs.
+// Judges G-code files on a machine, with the limits that apply to each (machine_choice.h) and, on
+// top, whatever the file itself sets while it runs.
 #pragma once
 #include "gcode/reader.h"
-#include "options.h"
+#include "job/limit_trail.h"
+#include "machine_choice.h"
+#include "study/asked_speeds.h"
 
 namespace bead::cli {
 
 struct JudgedFile {
-    Machine machine;  // as the print began
-    std::string limits_source;
+    std::string name;
+    MachineChoice choice;  // as the print begins
+    LimitTrail trail{};    // how the file changes its limits
+    Limits last{};         // limits at the end
+    AskedSpeeds asked{};
     Assessment cost{};
     GcodeReport file{};
     std::optional<double> slicer_estimate{};  // s
+    std::vector<std::string> warnings{};      // lines for people
 };
 
+// Says its warnings.
 JudgedFile judge_file(const std::string& file, const MachineOptions& options,
                       const Console& console, const MotionSink& watch = {});
 
-// "4.2 M lines of PrusaSlicer; 12 × M73 not understood"
+// Each on a thread of its own; warnings, and the error if there is one, come in the files' order.
+std::vector<JudgedFile> judge_files(const std::vector<std::string>& files,
+                                    const MachineOptions& options, int threads,
+                                    const Console& console);
+
+// "93482 lines by PrusaSlicer"
 std::string described(const GcodeReport& file);
+// "12 × M73, 3 × M900": what has no effect here; "" if there is nothing.
+std::string ignored_in(const GcodeReport& file);
 
 }  // namespace bead::cli

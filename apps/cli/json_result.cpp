@@ -100,15 +100,4 @@ Json energy_json(const Assessment& cost, const PowerModel& power) {
             {"by_layer", layers}};
 }
 
-Json limits_json(const Limits& limits, const std::string& source) {
-    const auto row = [&](const auto& value) { return Json{{"value", value}, {"source", source}}; };
-    return {{"steps_per_mm", row(limits.steps_per_mm)},
-            {"max_feedrate_mm_s", row(limits.max_feedrate)},
-            {"max_acceleration_mm_s2", row(limits.max_acceleration)},
-            {"acceleration_mm_s2", row(limits.acceleration)},
-            {"retract_acceleration_mm_s2", row(limits.retract_acceleration)},
-            {"travel_acceleration_mm_s2", row(limits.travel_acceleration)},
-            {"jerk_mm_s", row(limits.jerk)}};
-}
-
 }  // namespace bead::cli

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "energy/meter.h"
-#include "machine/limits.h"
 #include "study/judge.h"
 
 namespace bead::cli {
@@ -22,6 +21,5 @@ void write_result(const std::string& place, const Json& result);
 
 Json motion_json(const Assessment& cost);  // time, lengths, axes, features
 Json energy_json(const Assessment& cost, const PowerModel& power);
-Json limits_json(const Limits& limits, const std::string& source);
 
 }  // namespace bead::cli

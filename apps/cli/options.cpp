@@ -71,15 +71,22 @@ Console console_of(const OutputOptions& options) {
 void declare(CLI::App& command, MachineOptions& options) {
     command
         .add_option("--printer", options.printer,
-                    "built-in printer (beadwork printers) or a PRINTER.toml")
+                    "built-in printer (beadwork printers), PRINTER.toml, Klipper's printer.cfg or "
+                    "Marlin's answer to M503 as .txt")
         ->type_name("NAME|FILE")
         ->default_str(default_printer);
+    if (command.get_option_no_throw("--set") == nullptr)
+        command
+            .add_option("--set", options.set, "any setting of the printer by its name in the TOML")
+            ->type_name("KEY=VALUE")
+            ->allow_extra_args(false);
     command.add_option("--material", options.material, "built-in material or a MATERIAL.toml")
         ->type_name("NAME|FILE")
         ->capture_default_str();
     command.add_option("--firmware", options.firmware, "whose motion planner is simulated")
-        ->check(CLI::IsMember({"prusa"}))
-        ->capture_default_str();
+        ->check(
+            CLI::IsMember(std::vector<std::string>(firmware_names.begin(), firmware_names.end())))
+        ->default_str("as printer or file say, else prusa");
     command
         .add_option("--quirks", options.quirks, "faithful to the firmware, or corrected physics")
         ->check(CLI::IsMember({"faithful", "corrected"}))
@@ -90,6 +97,7 @@ void declare(CLI::App& command, MachineOptions& options) {
 }
 
 Firmware firmware_of(const MachineOptions& options) {
+    if (options.firmware.empty()) return Firmware::prusa;
     const auto name = std::ranges::find(firmware_names, options.firmware);
     return static_cast<Firmware>(name - firmware_names.begin());
 }

@@ -23,14 +23,15 @@ void declare(CLI::App& command, OutputOptions& options);
 Console console_of(const OutputOptions& options);
 
 struct MachineOptions {
-    std::string printer;  // empty: the default one
+    std::string printer;           // empty: the default one
+    std::vector<std::string> set;  // of the printer; of commands that plan no print
     std::string material = "pla";
-    std::string firmware = "prusa";
+    std::string firmware;  // empty: as the printer or the file says, else Prusa's
     std::string quirks = "faithful";
     std::string lookahead = "16";
 };
 void declare(CLI::App& command, MachineOptions& options);
-Firmware firmware_of(const MachineOptions& options);
+Firmware firmware_of(const MachineOptions& options);  // Prusa's if none is named
 Machine machine_of(const MachineOptions& options);
 // "prusa-mk3s (built in)" or the file's name.
 std::string printer_label(const MachineOptions& options);

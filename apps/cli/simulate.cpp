@@ -4,61 +4,20 @@
 #include <memory>
 
 #include "command.h"
+#include "core/error.h"
 #include "core/output_file.h"
-#include "gcode_file.h"
-#include "json_result.h"
+#include "simulate_report.h"
 
 namespace bead::cli {
 namespace {
 
 struct Options {
-    std::string file, blocks;
+    std::vector<std::string> files;
+    std::string blocks, csv;
+    int threads = 0;
     MachineOptions machine;
     OutputOptions output;
 };
-
-void print_axes(const Console& console, const MotionTotals& motion) {
-    console.say("\n{:>6} {:>12} {:>11} {:>11} {:>11} {:>12}\n", "axis", "speeding up", "coasting",
-                "slowing", "standing", "way");
-    constexpr std::array names{"X", "Y", "Z", "E"};
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        const AxisTimes& axis = motion.axes[i];
-        console.say("{:>6} {:>10.1f} s {:>9.1f} s {:>9.1f} s {:>9.1f} s {:>9.0f} mm\n", names[i],
-                    axis.accelerate, axis.coast, axis.decelerate, axis.hold, axis.distance);
-    }
-}
-
-void print_roles(const Console& console, const MotionTotals& motion) {
-    console.say("\n");
-    for (std::size_t i = 0; i < role_names.size(); ++i)
-        if (motion.by_role[i] > 0)
-            console.say("{:>14} {:>10.1f} s {:>5.1f} %\n", role_names[i], motion.by_role[i],
-                        100 * motion.by_role[i] / motion.duration);
-}
-
-void print_text(const Console& console, const Options& options, const JudgedFile& judged) {
-    const MotionTotals& m = judged.cost.motion;
-    console.say("{}: {}\n", options.file, described(judged.file));
-    console.say("limits from {}; firmware {} ({}), look-ahead {}\n\n", judged.limits_source,
-                options.machine.firmware, options.machine.quirks, options.machine.lookahead);
-    console.say("printing time   {}  ({:.1f} s)\n", console.strong(spoken_time(m.duration)),
-                m.duration);
-    if (judged.slicer_estimate)
-        console.say("slicer's own    {}  (ours is {:+.1f} %)\n",
-                    spoken_time(*judged.slicer_estimate),
-                    100 * (m.duration / *judged.slicer_estimate - 1));
-    console.say("way of the head {:.1f} m, of it {:.1f} m travel in {} moves; {} retractions\n",
-                m.length / 1000, m.travel / 1000, m.travel_moves, m.retractions);
-    console.say("filament        {:.2f} m\n", m.extruded / 1000);
-    console.say(
-        "moves           {}, of which {:.0f} % never reach their speed; fastest {:.0f} mm/s\n",
-        m.moves,
-        m.moves > 0 ? 100.0 * static_cast<double>(m.short_of_speed) / static_cast<double>(m.moves)
-                    : 0.0,
-        m.fastest);
-    print_axes(console, m);
-    print_roles(console, m);
-}
 
 void write_block(std::ostream& out, const Block& b) {
     fmt::memory_buffer row;
@@ -68,12 +27,14 @@ void write_block(std::ostream& out, const Block& b) {
     out.write(row.data(), static_cast<std::streamsize>(row.size()));
 }
 
-JudgedFile judge(const Options& options, const Console& console) {
-    if (options.blocks.empty()) return judge_file(options.file, options.machine, console);
+JudgedFile judge_with_blocks(const Options& options, const Console& console) {
+    if (options.files.size() > 1)
+        throw Error("--blocks: writes the blocks of one file; name one file at a time",
+                    Fault::usage);
     OutputFile blocks(options.blocks);
     blocks.stream() << "line,length_mm,v_nominal,v_entry,v_peak,v_exit,t_accel,t_cruise,t_decel\n";
     JudgedFile judged =
-        judge_file(options.file, options.machine, console, [&](const MotionEvent& event) {
+        judge_file(options.files[0], options.machine, console, [&](const MotionEvent& event) {
             if (const Block* block = std::get_if<Block>(&event))
                 write_block(blocks.stream(), *block);
         });
@@ -81,34 +42,62 @@ JudgedFile judge(const Options& options, const Console& console) {
     return judged;
 }
 
+std::vector<JudgedFile> judge(const Options& options, const Console& console) {
+    if (!options.blocks.empty()) return {judge_with_blocks(options, console)};
+    return judge_files(options.files, options.machine, options.threads, console);
+}
+
+void write_csv(const std::string& place, const std::vector<JudgedFile>& all) {
+    if (place.empty()) return;
+    OutputFile file(place);
+    const bool with_name = all.size() > 1;
+    write_layers_head(file.stream(), with_name);
+    for (const JudgedFile& judged : all) write_layers(file.stream(), judged, with_name);
+    file.keep();
+}
+
+Json json_of(const Options& options, const std::vector<JudgedFile>& all) {
+    Json result = result_head("simulate", options.files);
+    if (all.size() == 1) {
+        result.update(simulation_json(all[0], options.machine));
+        return result;
+    }
+    result["files"] = Json::array();
+    for (const JudgedFile& judged : all) {
+        Json one{{"file", judged.name}};
+        one.update(simulation_json(judged, options.machine));
+        result["files"].push_back(std::move(one));
+    }
+    return result;
+}
+
 void simulate(const Options& options) {
     const Console console = console_of(options.output);
-    const JudgedFile judged = judge(options, console);
-    print_text(console, options, judged);
-
-    Json result = result_head("simulate", {options.file});
-    result.update(motion_json(judged.cost));
-    result["lines"] = judged.file.lines;
-    if (judged.slicer_estimate) result["slicer_estimate_s"] = *judged.slicer_estimate;
-    result["limits"] = limits_json(judged.machine.printer.limits, judged.limits_source);
-    result["firmware"] = options.machine.firmware;
-    result["quirks"] = options.machine.quirks;
-    result["lookahead"] = options.machine.lookahead;
-    result["ignored"] = judged.file.ignored;
-    write_result(options.output.json, result);
+    const std::vector<JudgedFile> all = judge(options, console);
+    for (const JudgedFile& judged : all) {
+        if (&judged != &all.front()) console.say("\n\n");
+        print_simulation(console, judged, options.machine);
+    }
+    write_csv(options.csv, all);
+    if (!options.output.json.empty()) write_result(options.output.json, json_of(options, all));
 }
 
 }  // namespace
 
 void add_simulate(CLI::App& app) {
     const auto options = std::make_shared<Options>();
-    CLI::App& command = *app.add_subcommand("simulate", "time and motion of a G-code file");
+    CLI::App& command = *app.add_subcommand("simulate", "time and motion of G-code files");
     command.footer(
-        "Example: how long will it take, and which blocks does the planner make of it?\n"
-        "  beadwork simulate part.gcode --printer ender3 --blocks blocks.csv");
-    command.add_option("FILE", options->file, "G-code of any slicer, also gzipped")->required();
+        "Example: how long will it take on my Klipper machine, and where does the time go?\n"
+        "  beadwork simulate part.gcode --printer printer.cfg --csv layers.csv");
+    command.add_option("FILE", options->files, "G-code of any slicer, also gzipped; or several")
+        ->required();
+    command.add_option("--csv", options->csv, "write a row per layer and feature")
+        ->type_name("OUT.csv");
     command.add_option("--blocks", options->blocks, "write every planned block, one row each")
         ->type_name("OUT.csv");
+    command.add_option("--threads", options->threads, "0: as many as there are cores")
+        ->check(CLI::Range(0, 1024));
     declare(command, options->machine);
     declare(command, options->output);
     command.callback([options] { simulate(*options); });
