@@ -9,6 +9,7 @@ void add_slice(CLI::App& app);
 void add_optimize(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_energy(CLI::App& app);
+void add_post_process(CLI::App& app);
 void add_printers(CLI::App& app);
 void add_patterns(CLI::App& app);
 void add_config(CLI::App& app);

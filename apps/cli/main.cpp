@@ -59,6 +59,7 @@ int main(int argc, char** argv) {
     bead::cli::add_optimize(app);
     bead::cli::add_simulate(app);
     bead::cli::add_energy(app);
+    bead::cli::add_post_process(app);
     bead::cli::add_printers(app);
     bead::cli::add_patterns(app);
     bead::cli::add_config(app);
