@@ -139,7 +139,7 @@ void Annotations::note(std::string_view comment) {
     if (tag != tags.end()) (this->*tag->act)(trimmed(text.substr(tag->start.size())));
 }
 
-std::optional<LayerStart> Annotations::layer_due(double from_z, double to_z) {
+std::optional<LayerStart> Annotations::layer_of_bead(double from_z, double to_z) {
     if (pending_) return begun(pending_->z.value_or(to_z));
     const bool level = std::abs(to_z - from_z) < same_height;
     if (tagged_ || !level) return {};

@@ -35,7 +35,10 @@ class Annotations {
     // The layer that begins with a bead between these heights (mm), once: one whose own height
     // the comments leave open or, as long as nobody has named feature or layer, each new height of
     // a level bead.
-    std::optional<LayerStart> layer_due(double from_z, double to_z);
+    std::optional<LayerStart> layer_due(double from_z, double to_z) {
+        if (tagged_ && !pending_) return {};
+        return layer_of_bead(from_z, to_z);
+    }
 
   private:
     struct Tag;
@@ -43,6 +46,7 @@ class Annotations {
         std::optional<double> z, height;
     };
     LayerStart begun(double z);
+    std::optional<LayerStart> layer_of_bead(double from_z, double to_z);
     void type(std::string_view word);
     void layer_change(std::string_view);
     void layer_number(std::string_view);

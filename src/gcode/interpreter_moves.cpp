@@ -93,14 +93,10 @@ void Interpreter::arc(const Words& words, bool clockwise) {
     const MoveWords told = move_words(words);
     take_feed(told);
     const Position to = target(told);
-    if (auto arc = arc_told(words, to, clockwise)) {
-        arc->end = begin(to, true);
-        sink_({*arc, report_.lines});
-        return;
-    }
-    note_malformed();
-    // Prusa's makes no move of it but goes on from its end.
-    if (in(prusa_dialect | prusa_2017_dialect)) frame_.place = to;
+    auto arc = arc_told(words, to, clockwise);
+    if (!arc) return note_malformed();
+    arc->end = begin(to, true);
+    sink_({*arc, report_.lines});
 }
 
 // All but the end. Nothing where there is no circle: then firmware makes no move.
@@ -135,10 +131,12 @@ void Interpreter::curve(const Words& words) {
                     place_at(base[axis_y] + number_or_0(words, y) * unit_, axis_y)};
     };
     const Vec2 start{from[axis_x], from[axis_y]}, end{to[axis_x], to[axis_y]};
-    for (const auto& [at, share] :
+    for (const CurvePoint& point :
          curve_chords({start, control(from, 'I', 'J'), control(to, 'P', 'Q'), end})) {
-        const auto along = [&](Axis axis) { return (1 - share) * from[axis] + share * to[axis]; };
-        go({at.x, at.y, along(axis_z), along(axis_e)});
+        const auto along = [&](Axis axis) {
+            return (1 - point.share) * from[axis] + point.share * to[axis];
+        };
+        go({point.at.x, point.at.y, along(axis_z), along(axis_e)});
     }
 }
 
@@ -197,7 +195,6 @@ void Interpreter::recover() {
     shift(axis_z, -lifted_, fastest);
     lifted_ = 0;
     shift(axis_e, pulled_back_ + retraction_.extra, retraction_.recover_speed);
-    // What comes back besides is not counted by the file either.
 }
 
 void Interpreter::save_state(std::string_view words) {

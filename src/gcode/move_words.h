@@ -1,6 +1,6 @@
 // The words of G0 and G1, and the short way to read them: "G1 X105.1 Y99 E.02221" and the like, the
 // form in which slicers write nearly all lines. Anything else (other words, comments, two blanks,
-// an exponent, ten digits) is left to the scanner, which reads these lines to the same words.
+// an exponent, many digits) is left to the scanner, which reads these lines to the same words.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -38,7 +38,7 @@ struct PlainMove {
 };
 
 // A number of up to 15 digits, 9 of them before the point, without an exponent: read as read_number
-// reads it. `end` is null if it is something else. The text goes on with something that is none of a number.
+// reads it. `end` is null if it is something else. Something that is no part of a number follows.
 inline Number read_plain_number(const char* at) {
     constexpr std::ptrdiff_t most_digits = 15, most_whole = 9;
     const bool negative = *at == '-';

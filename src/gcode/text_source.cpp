@@ -26,7 +26,7 @@ std::shared_ptr<gzFile_s> opened(const std::filesystem::path& file) {
     if (handle == nullptr)
         throw Error(file.string() + ": cannot be opened (" + system_reason() +
                     "); check its name and that you may read it");
-    gzbuffer(handle, 1U << 18);
+    gzbuffer(handle, 1U << 16);  // at most half a chunk: then plain text is not copied once more
     return {handle, gzclose};
 }
 
