@@ -2,8 +2,8 @@
 // absolute or relative with 5, F in mm/min with up to 3; axes and words that do not change are left
 // out. Features, layers and beads are named as PrusaSlicer names them, so that its viewer and its
 // users' scripts read them. Arcs are told by their centre from the start, Klipper's own limits in
-// Klipper's words. Reading the text back, by the rules of a firmware that knows all of it, gives the
-// same commands, provided that
+// Klipper's words. Reading the text back, by the rules of a firmware that knows all of it, gives
+// the same commands, provided that
 // - numbers have no more decimals than are written, an arc's centre lies off its start,
 // - a move goes somewhere, and one that extrudes and moves in X or Y has a role, no other has one,
 // - something comes after each LayerStart, and a SetLimits names limits of one command only.
