@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -25,6 +26,14 @@ struct Options {
     OutputOptions output;
 };
 
+// What can be simulated but not be rewritten in place, by its first bytes.
+struct Packed {
+    std::string_view magic, complaint;
+};
+constexpr std::array packed{
+    Packed{"\x1f\x8b", "is gzipped; unpack it first, only plain text is rewritten in place"},
+    Packed{"PK\3\4", "is an archive; export plain G-code, only that is rewritten in place"}};
+
 void refuse_unsuitable(const std::string& file) {
     if (file.empty())
         throw Error("post-process: the path of the G-code file is empty; slicers give it last");
@@ -32,9 +41,11 @@ void refuse_unsuitable(const std::string& file) {
         throw Error(file + ": is a folder; name a G-code file");
     if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file))
         throw Error(file + ": is no file that could be rewritten in place");
-    std::ifstream stream(file, std::ios::binary);
-    if (stream.get() == 0x1f && stream.get() == 0x8b)
-        throw Error(file + ": is gzipped; unpack it first, only plain text is rewritten in place");
+    std::array<char, 4> start{};
+    std::ifstream(file, std::ios::binary).read(start.data(), start.size());
+    for (const Packed& row : packed)
+        if (std::string_view(start.data(), start.size()).starts_with(row.magic))
+            throw Error(fmt::format("{}: {}", file, row.complaint));
 }
 
 void rewrite(const std::string& file, const std::vector<Edit>& edits) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 
 #include "gcode/time_edits.h"
 #include "gcode/time_text.h"
@@ -15,6 +16,7 @@ namespace {
 
 std::vector<std::int64_t> lines_of(const std::vector<TimeMark>& marks) {
     std::vector<std::int64_t> lines;
+    lines.reserve(marks.size());
     for (const TimeMark& mark : marks) lines.push_back(mark.line);
     return lines;
 }
@@ -66,7 +68,8 @@ PrintTimes simulate(TimeRewrite& result, const std::string& file, const TimeMark
 
 TimeRewrite time_rewrite(const std::string& file, const MachineOptions& options) {
     const SlicerNotes notes = slicer_notes(file);
-    const TimeMarks found = time_marks(file_source(file));
+    std::ifstream bytes(file, std::ios::binary);
+    const TimeMarks found = time_marks(stream_source(bytes));
     TimeRewrite result{machine_choice(options, notes)};
     result.slicer_estimate = notes.estimate;
     const PrintTimes times = simulate(result, file, found);
