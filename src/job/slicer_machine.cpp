@@ -85,11 +85,10 @@ class SlicerReading {
                                                  where_, called(setting, place_), one_line(text)));
     }
 
-    // Prusa's own 8-bit printers are "marlin" to its slicer; what else speaks Marlin is Marlin.
+    // "marlin" is the Marlin of old to the slicers, whose planner lives on in Prusa's 8-bit
+    // firmware.
     [[nodiscard]] std::optional<FirmwareChoice> firmware() const {
         const std::string_view flavor = value_of(settings_, "gcode_flavor");
-        const bool made_by_prusa =
-            value_of(settings_, "printer_notes").find("VENDOR_PRUSA3D") != std::string_view::npos;
         const bool deviation = std::ranges::any_of(says_.limits, [](const StatedLimit& limit) {
             return limit.name == "junction_deviation_mm";
         });
@@ -98,8 +97,8 @@ class SlicerReading {
                                                         called("gcode_flavor", place_), flavor)};
         };
         if (flavor == "klipper") return choice(Firmware::klipper);
-        if (flavor == "marlin" && made_by_prusa) return choice(Firmware::prusa);
-        if (flavor == "marlin" || flavor == "marlin2" || flavor == "reprapfirmware")
+        if (flavor == "marlin") return choice(Firmware::prusa);
+        if (flavor == "marlin2" || flavor == "reprapfirmware")
             return choice(deviation ? Firmware::marlin_jd : Firmware::marlin_jerk);
         return std::nullopt;
     }

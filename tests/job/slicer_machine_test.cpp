@@ -60,18 +60,15 @@ TEST(SlicerMachine, WhatIsNoLimitIsPassedOverAloud) {
 
 TEST(SlicerMachine, FlavorNamesTheFirmware) {
     struct Row {
-        const char *flavor, *printer_notes, *deviation;
+        const char *flavor, *deviation;
         Firmware firmware;
     };
     for (const Row& row :
-         {Row{"klipper", "", "0", Firmware::klipper}, Row{"marlin", "", "0", Firmware::marlin_jerk},
-          Row{"marlin2", "", "0.01", Firmware::marlin_jd},
-          Row{"marlin", "PRINTER_VENDOR_PRUSA3D", "0", Firmware::prusa},
-          Row{"marlin2", "PRINTER_VENDOR_PRUSA3D", "0", Firmware::marlin_jerk},
-          Row{"reprapfirmware", "", "0", Firmware::marlin_jerk}}) {
-        const Statement said = of_file({{"gcode_flavor", row.flavor},
-                                        {"printer_notes", row.printer_notes},
-                                        {"machine_max_junction_deviation", row.deviation}});
+         {Row{"klipper", "0", Firmware::klipper}, Row{"marlin", "0", Firmware::prusa},
+          Row{"marlin2", "0.01", Firmware::marlin_jd}, Row{"marlin2", "0", Firmware::marlin_jerk},
+          Row{"reprapfirmware", "0", Firmware::marlin_jerk}}) {
+        const Statement said = of_file(
+            {{"gcode_flavor", row.flavor}, {"machine_max_junction_deviation", row.deviation}});
         ASSERT_TRUE(said.firmware) << row.flavor;
         EXPECT_EQ(said.firmware->firmware, row.firmware) << row.flavor;
         EXPECT_TRUE(says(said.firmware->source, std::string("gcode_flavor = ") + row.flavor));
