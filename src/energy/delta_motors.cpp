@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
-#include "motion/delta_arms.h"
 #include "energy/integral.h"
+#include "motion/delta_arms.h"
 #include "motion/phases.h"
 
 namespace bead {
@@ -36,39 +37,42 @@ struct Scene {
     Carriages carriages;
 };
 
-// What the towers draw per mm of the head's way, J/mm.
-Towers cost_at(const Scene& scene, const Phase& phase, double s) {
+// What the towers draw per mm of the head's way, J/mm: the three by speed, then the three for work.
+using Costs = std::array<double, 6>;
+
+Costs cost_at(const Scene& scene, const Phase& phase, double s) {
     const Slopes h{scene.carriages[0].slope(s), scene.carriages[1].slope(s),
                    scene.carriages[2].slope(s)};
     const double a = phase.acceleration, squared = squared_speed(phase, s);
     const Vec3 push = a * scene.step + Vec3{0, 0, gravity};
     const Towers head = shared(scene.head_mass * kg_mm2_per_s2 * push, h);
-    Towers cost{};
-    for (std::size_t i = 0; i < cost.size(); ++i) {
+    Costs cost{};
+    for (std::size_t i = 0; i < head.size(); ++i) {
         const Motor& motor = scene.motors[i];
         const double lift = h[i].bend * squared + h[i].rate * a + gravity;
         const double pull = head[i] + motor.moving_mass * kg_mm2_per_s2 * lift;
         const double turning = std::abs(h[i].rate);
         const double work = motor.friction * newton_mm * turning + pull * h[i].rate;
-        cost[i] = motor.per_speed * turning + std::max(0.0, work) / motor.efficiency;
+        cost[i] = motor.per_speed * turning;
+        cost[i + 3] = std::max(0.0, work) / motor.efficiency;
     }
     return cost;
 }
 
-MotorDraw phase_draw(const Scene& scene, const Phase& phase) {
-    MotorDraw draw;
+void add_phase(MotorDraw& draw, const Scene& scene, const Phase& phase) {
     const auto cost = [&](double s) {
-        const Towers towers = cost_at(scene, phase, s);
-        const double power =
-            (towers[0] + towers[1] + towers[2]) * std::sqrt(std::max(0.0, squared_speed(phase, s)));
-        draw.peak = std::max(draw.peak, power);
-        return towers;
+        const Costs costs = cost_at(scene, phase, s);
+        const double speed = std::sqrt(std::max(0.0, squared_speed(phase, s)));
+        draw.peak = std::max(draw.peak, std::accumulate(costs.begin(), costs.end(), 0.0) * speed);
+        return costs;
     };
     cost(phase.from);
     cost(phase.to);
-    for (const double joules : integral(cost, phase.from, phase.to, accuracy / 3))
-        draw.all += joules;
-    return draw;
+    const Costs joules = integral(cost, phase.from, phase.to, accuracy / 6);
+    for (std::size_t i = 0; i < 3; ++i) {
+        draw.speed[i] += joules[i];
+        draw.work[i] += joules[i + 3];
+    }
 }
 
 MotorDraw towers_draw(const std::array<Motor, 4>& motors, const Delta& delta, Vec2 from,
@@ -78,13 +82,9 @@ MotorDraw towers_draw(const std::array<Motor, 4>& motors, const Delta& delta, Ve
     if (d[axis_x] == 0 && d[axis_y] == 0 && d[axis_z] == 0) return draw;
     const Vec3 step = (1 / block.length) * Vec3{d[axis_x], d[axis_y], d[axis_z]};
     const Scene scene{motors, delta.head_mass, step, carriages_of(delta, from, block)};
-    for (const Phase& phase : phases_of(block)) {
-        if (phase.to <= phase.from) continue;
-        const MotorDraw part = phase_draw(scene, phase);
-        draw.all += part.all;
-        draw.peak = std::max(draw.peak, part.peak);
-    }
-    draw.xy = draw.all;
+    draw.turns = {true, true, true, false};
+    for (const Phase& phase : phases_of(block))
+        if (phase.to > phase.from) add_phase(draw, scene, phase);
     return draw;
 }
 
@@ -102,7 +102,9 @@ MotorDraw delta_draw(const std::array<Motor, 4>& motors, const Delta& delta, Vec
     if (block.length <= 0) return {};
     MotorDraw draw = towers_draw(motors, delta, from, block);
     const MotorDraw extruder = extruder_draw(motors, block);
-    draw.all += extruder.all;
+    draw.speed[axis_e] = extruder.speed[axis_e];
+    draw.work[axis_e] = extruder.work[axis_e];
+    draw.turns[axis_e] = extruder.turns[axis_e];
     draw.peak += extruder.peak;
     return draw;
 }

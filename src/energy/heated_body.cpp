@@ -37,19 +37,22 @@ HeatDraw HeatedBody::advance(double seconds, double conductance, double load) {
     if (max_power_ <= 0 || seconds <= 0) return {};
     const double drain = target_ > ambient_ ? load : 0;
     const double holding = conductance * (target_ - ambient_) + drain;
-    if (temperature_ == target_ && holding <= max_power_) return {holding * seconds, holding};
+    if (temperature_ == target_ && holding <= max_power_)
+        return {holding * seconds, (target_ - ambient_) * seconds, holding};
 
     const double power = temperature_ <= target_ ? max_power_ : 0;
     const double rest = ambient_ + (power - drain) / conductance;
     const double time_constant = capacity_ / conductance;
     const double arrival = time_to_target(rest, time_constant);
-    if (arrival > seconds) {
-        temperature_ = rest + (temperature_ - rest) * std::exp(-seconds / time_constant);
-        return {power * seconds, power};
-    }
-    temperature_ = target_;
+    const double way = std::min(arrival, seconds), before = temperature_;
+    temperature_ = arrival > seconds
+                       ? rest + (temperature_ - rest) * std::exp(-seconds / time_constant)
+                       : target_;
+    const double excess =
+        ((power - drain) * way - capacity_ * (temperature_ - before)) / conductance;
+    if (arrival > seconds) return {power * seconds, excess, power};
     const HeatDraw after = advance(seconds - arrival, conductance, load);
-    return {power * arrival + after.energy, std::max(power, after.peak)};
+    return {power * arrival + after.energy, excess + after.excess, std::max(power, after.peak)};
 }
 
 }  // namespace bead

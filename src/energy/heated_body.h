@@ -7,7 +7,8 @@
 namespace bead {
 
 struct HeatDraw {
-    double energy = 0;  // J
+    double energy = 0;  // J: what is stored, what G lets go, and the load while it is aimed at heat
+    double excess = 0;  // K s, integral of T - Ta: G times it is what was let go
     double peak = 0;    // W, the controller's pulses averaged out
 };
 
@@ -24,6 +25,7 @@ class HeatedBody {
     // s until the target is reached from below, else 0. What cannot reach it waits five time
     // constants, when 99 % of what it can do is done. `conductance` G in W/K, `load` in W.
     [[nodiscard]] double warm_up_time(double conductance, double load = 0) const;
+    [[nodiscard]] double stored() const { return capacity_ * (temperature_ - ambient_); }  // J
     HeatDraw advance(double seconds, double conductance, double load = 0);
 
   private:

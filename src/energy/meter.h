@@ -5,47 +5,16 @@
 //     simulate(commands, …, [&](const MotionEvent& event) { meter.add(event); });
 //     const EnergyReport report = meter.report();
 #pragma once
-#include <array>
-#include <vector>
-
 #include "energy/delta_motors.h"
 #include "energy/heated_body.h"
-#include "energy/motors.h"
+#include "energy/power_pieces.h"
+#include "energy/report.h"
+#include "energy/standstill.h"
 #include "machine/material.h"
 #include "machine/printer.h"
 #include "motion/block.h"
 
 namespace bead {
-
-// At the wall (supply losses included), in J.
-struct Energy {
-    double bed = 0, hotend = 0, motors = 0, fans = 0, electronics = 0;
-};
-Energy operator+(const Energy& a, const Energy& b);
-Energy operator-(const Energy& a, const Energy& b);
-double total(const Energy& energy);
-
-// All that is done from one LayerStart to the next, waits for a heater not included.
-struct LayerEnergy {
-    double z = 0;         // mm, top of the layer
-    double duration = 0;  // s
-    double total = 0;     // J
-};
-
-// Nothing is lost and nothing counted twice:
-//     total(energy) = sum of by_role = heat_up + before_layers + sum of by_layer
-struct EnergyReport {
-    Energy energy;                // heat-up included
-    double heat_up = 0;           // J, of it while waiting for a heater
-    double heat_up_duration = 0;  // s
-    double before_layers = 0;     // J, of it before the first layer, waits apart
-    double duration = 0;          // s, of all but the waits
-    double xy_motors = 0;         // J, of it the motors that move X and Y, standing included
-    double peak_power = 0;        // W, at the wall, pulses of heaters averaged out
-    double co2 = 0;               // g
-    std::vector<LayerEnergy> by_layer;
-    PerRole<double> by_role{};  // J; waits and dwells are Role::other
-};
 
 // Each event is taken in constant time; memory grows only with the number of layers.
 class EnergyMeter {
@@ -61,6 +30,9 @@ class EnergyMeter {
     // care.
     void place(Vec2 head) { head_ = head; }
     [[nodiscard]] Vec2 place() const { return head_; }
+    // From now on every piece of time is told too; it makes no difference to the report but for
+    // rounding.
+    void listen(PowerListener listener) { listener_ = std::move(listener); }
     [[nodiscard]] EnergyReport report() const;
 
   private:
@@ -72,6 +44,23 @@ class EnergyMeter {
         Role role = Role::other;
         bool heating = false;
     };
+    struct Held {
+        double energy = 0, peak = 0;  // J, W
+    };
+    // What the terms of a report are products of.
+    struct Sums {
+        PerAxis<double> speed{}, work{};  // J
+        PerAxis<double> reduced{};        // s with the hold current
+        double warm = 0, duty = 0;        // s: hot end's fan running; part fan, times its duty
+        double hotend = 0, blown = 0;     // K s above ambient; the same, times the fan's duty
+        double plastic = 0;               // K g of plastic warmed
+        double molten = 0;                // g
+        double bed = 0;                   // K s above ambient
+    };
+    struct Layer {
+        double z = 0, duration = 0;
+        PerRole<Energy> by_role{};
+    };
 
     void take(const Block& block);
     void take(const Dwell& dwell);
@@ -79,13 +68,20 @@ class EnergyMeter {
     void take(const SetFan& fan);
     void take(const LayerStart& layer);
 
+    template <class Part>
+    void in_pieces(double seconds, const Part& part);
     MotorDraw motors_of(const Block& block);
     void pass(const Stretch& stretch);
+    Held held(const Stretch& stretch);
+    void count(const Stretch& stretch, double hotend, double bed);
     void book(const Stretch& stretch, const Energy& energy);
     double melted(double filament);  // g
+    void load_bed(double grams);
     [[nodiscard]] double hotend_conductance() const;
     [[nodiscard]] double bed_conductance() const;
     [[nodiscard]] double fan_power() const;
+    [[nodiscard]] EnergyTerms terms() const;
+    [[nodiscard]] double elapsed() const { return heat_up_duration_ + duration_; }
 
     PowerModel power_;
     Material material_;
@@ -94,12 +90,19 @@ class EnergyMeter {
     Vec2 head_;
     double grams_per_mm_;     // of filament
     double standing_ = 0;     // W, all motors
-    double standing_xy_ = 0;  // W
     double wall_, bed_wall_;  // W at the wall per W drawn
     HeatedBody hotend_, bed_;
+    Standstill standstill_;
     double fan_duty_ = 0;
     double retracted_ = 0;  // mm of filament
-    EnergyReport sum_;
+    PowerListener listener_;
+
+    Sums sums_;
+    Energy heat_up_;
+    double heat_up_duration_ = 0, duration_ = 0;
+    double peak_power_ = 0, peak_time_ = 0;
+    Layer before_;
+    std::vector<Layer> layers_;
 };
 
 }  // namespace bead

@@ -34,12 +34,11 @@ Phased ways_of(const Block& block) {
             (block.v_peak + block.v_exit) / 2 * block.t_decel};
 }
 
-// `rate`: mm of the motor per mm of the head; `drag`, `inertia`: its pull while cruising, and more
-// while speeding up (N).
-Phased cost_of(const Motor& motor, double rate, double drag, double inertia) {
-    const double loss = motor.per_speed * std::abs(rate);
-    const double steady = drag * rate, extra = inertia * rate;
-    const auto cost = [&](double work) { return loss + std::max(0.0, work) / motor.efficiency; };
+// Against friction and inertia. `steady`, `extra`: what a motor's pull gives to motion while
+// cruising, and more while speeding up, J per mm of the head's way.
+Phased work_of(const Motor& motor, double steady, double extra) {
+    const double per_output = 1 / motor.efficiency;
+    const auto cost = [&](double work) { return std::max(0.0, work) * per_output; };
     return {cost(steady + extra), cost(steady), cost(steady - extra)};
 }
 
@@ -49,7 +48,7 @@ double dearest(const Block& block, const Phased& cost) {
 }
 
 template <Kinematics kind>
-MotorDraw draw(const std::array<Motor, 4>& motors, const Block& block) {
+MotorDraw drawn(const std::array<Motor, 4>& motors, const Block& block) {
     PerAxis<double> share{}, drag{}, inertia{};
     for (std::size_t axis = 0; axis < motors.size(); ++axis) {
         const double u = block.delta[axis] / block.length;
@@ -59,14 +58,21 @@ MotorDraw draw(const std::array<Motor, 4>& motors, const Block& block) {
     }
     const PerAxis<double> rate = motors_of<kind>(share);
     const PerAxis<double> drag_pull = pulls_of<kind>(drag), inertia_pull = pulls_of<kind>(inertia);
-    Phased xy, other;
-    for (std::size_t slot = 0; slot < motors.size(); ++slot)
-        (turns_in_xy(kind, slot) ? xy : other) +=
-            cost_of(motors[slot], rate[slot], drag_pull[slot], inertia_pull[slot]);
-    Phased all = xy;
-    all += other;
     const Phased way = ways_of(block);
-    return {dot(way, xy), dot(way, all), block.v_peak * dearest(block, all)};
+    MotorDraw draw;
+    Phased all;
+    for (std::size_t slot = 0; slot < motors.size(); ++slot) {
+        const double loss = motors[slot].per_speed * std::abs(rate[slot]);
+        const Phased work =
+            work_of(motors[slot], drag_pull[slot] * rate[slot], inertia_pull[slot] * rate[slot]);
+        draw.turns[slot] = rate[slot] != 0;
+        draw.speed[slot] = loss * (way.accelerating + way.cruising + way.braking);
+        draw.work[slot] = dot(way, work);
+        all += work;
+        all += {loss, loss, loss};
+    }
+    draw.peak = block.v_peak * dearest(block, all);
+    return draw;
 }
 
 }  // namespace
@@ -75,9 +81,9 @@ MotorDraw motor_draw(const std::array<Motor, 4>& motors, const Block& block,
                      Kinematics kinematics) {
     BEAD_EXPECTS(kinematics != Kinematics::delta);
     if (block.length <= 0) return {};
-    if (kinematics == Kinematics::corexy) return draw<Kinematics::corexy>(motors, block);
-    if (kinematics == Kinematics::corexz) return draw<Kinematics::corexz>(motors, block);
-    return draw<Kinematics::cartesian>(motors, block);
+    if (kinematics == Kinematics::corexy) return drawn<Kinematics::corexy>(motors, block);
+    if (kinematics == Kinematics::corexz) return drawn<Kinematics::corexz>(motors, block);
+    return drawn<Kinematics::cartesian>(motors, block);
 }
 
 }  // namespace bead

@@ -21,15 +21,31 @@
 namespace bead {
 
 struct MotorDraw {
-    double xy = 0;    // J, of the motors that moves in X and Y turn
-    double all = 0;   // J, of all four
+    PerAxis<double> speed{}, work{};  // J by motor: the two terms above
+    PerAxis<bool> turns{};
     double peak = 0;  // W, all four at the dearest instant
 };
+
+// J.
+constexpr double total(const MotorDraw& draw) {
+    double sum = 0;
+    for (std::size_t slot = 0; slot < draw.work.size(); ++slot)
+        sum += draw.speed[slot] + draw.work[slot];
+    return sum;
+}
 
 // Whether the motor in that slot turns when the head moves in X and Y.
 constexpr bool turns_in_xy(Kinematics kinematics, std::size_t slot) {
     const bool shares_z = kinematics == Kinematics::corexz || kinematics == Kinematics::delta;
     return slot <= axis_y || (slot == axis_z && shares_z);
+}
+
+// J of it, of the motors that moves in X and Y turn.
+constexpr double xy_part(const MotorDraw& draw, Kinematics kinematics = Kinematics::cartesian) {
+    double sum = 0;
+    for (std::size_t slot = 0; slot < draw.work.size(); ++slot)
+        if (turns_in_xy(kinematics, slot)) sum += draw.speed[slot] + draw.work[slot];
+    return sum;
 }
 
 // Of all but a delta (energy/delta_motors.h).

@@ -2,18 +2,27 @@
 // otherwise; the supply's losses come on top. SI units; temperatures in °C.
 #pragma once
 #include <array>
+#include <cstddef>
+#include <optional>
 
 namespace bead {
 
 // One per slot (machine/kinematics.h). What is a motor's follows the motor; friction and mass are
 // the axis' of the slot's name, whoever pulls it, but on a delta each carriage's own.
 struct Motor {
-    double standing = 0;     // W, winding loss while energised, moving or not
+    double standing = 0;     // W, winding loss with its run current, moving or not
+    double holding = -1;     // W, the same with its hold current; below 0: as `standing`
+    double resistance = 0;   // ohm of one winding, so that standing = 2 R I² (rms); 0: not known
     double per_speed = 0;    // W per mm/s of the motor's belt (iron loss, viscous friction)
     double friction = 0;     // N, constant friction of the rails
     double moving_mass = 0;  // kg, all that moves along the axis, rotors included
     double efficiency = 1;   // mechanical, from electrical input above standing to motion
 };
+
+// W, at rest for long.
+constexpr double holding(const Motor& motor) {
+    return motor.holding < 0 ? motor.standing : motor.holding;
+}
 
 struct HotEnd {
     double heater = 0;            // W, most it can draw
@@ -43,6 +52,8 @@ struct PowerModel {
     double ambient = 25;           // °C
     double grid_co2 = 0;           // g per kWh of wall energy
     std::array<Motor, 4> motors;   // X, Y, Z (all its motors together), E
+    double standstill_delay = 0;   // s at rest, after which a driver turns to its hold current
+    std::optional<std::size_t> bed_axis;  // which moves the bed, and with it what is printed
     HotEnd hotend;
     BedHeater bed;
     PowerUncertainty uncertainty;

@@ -30,22 +30,22 @@ TEST(DeltaDraw, OfALiftIsTheWeightTimesTheHeight) {
     const Block up = trapezoid({0, 0, 50, 0}, 0, 0, 80, 3000);
     const double weight = (a_delta.head_mass + 3 * 0.2) * g;
     const MotorDraw draw = delta_draw(ideal_motors(), a_delta, {}, up);
-    EXPECT_NEAR(draw.all, weight * 0.05, 1e-6);
+    EXPECT_NEAR(total(draw), weight * 0.05, 1e-6);
     EXPECT_NEAR(draw.peak, weight * (1 + 3 / g) * 0.08, 1e-6);
-    EXPECT_EQ(draw.xy, draw.all);
+    EXPECT_EQ(xy_part(draw, Kinematics::delta), total(draw));
 }
 
 TEST(DeltaDraw, OfADescentIsNothing) {
     const Block down = trapezoid({0, 0, -50, 0}, 0, 0, 80, 3000);
-    EXPECT_EQ(delta_draw(ideal_motors(), a_delta, {}, down).all, 0);
+    EXPECT_EQ(total(delta_draw(ideal_motors(), a_delta, {}, down)), 0);
 }
 
 TEST(DeltaDraw, OfTheExtruderAloneIsThatOfAnyMachine) {
     std::array<Motor, 4> motors = ideal_motors();
     motors[axis_e].friction = 30;
     const Block push = trapezoid({0, 0, 0, 2}, 0, 0, 30, 1000);
-    EXPECT_EQ(delta_draw(motors, a_delta, {}, push).all, motor_draw(motors, push).all);
-    EXPECT_EQ(delta_draw(motors, a_delta, {}, push).xy, 0);
+    EXPECT_EQ(total(delta_draw(motors, a_delta, {}, push)), total(motor_draw(motors, push)));
+    EXPECT_EQ(xy_part(delta_draw(motors, a_delta, {}, push), Kinematics::delta), 0);
 }
 
 RC_GTEST_PROP(DeltaDraw, AgreesWithSmallSteps, ()) {
@@ -53,8 +53,8 @@ RC_GTEST_PROP(DeltaDraw, AgreesWithSmallSteps, ()) {
     const PlacedBlock placed = any_placed_block();
     const double twin = towers_by_steps(motors, a_delta, placed, 3000);
     const MotorDraw draw = delta_draw(motors, a_delta, placed.from, placed.block);
-    RC_ASSERT(std::abs(draw.xy - twin) <= 4e-3 * twin + 1e-6);
-    RC_ASSERT(draw.xy <= draw.peak * duration(placed.block) * (1 + 1e-9));
+    RC_ASSERT(std::abs(xy_part(draw, Kinematics::delta) - twin) <= 4e-3 * twin + 1e-6);
+    RC_ASSERT(xy_part(draw, Kinematics::delta) <= draw.peak * duration(placed.block) * (1 + 1e-9));
 }
 
 RC_GTEST_PROP(DeltaDraw, WithEqualMotorsIsTheSameAfterAThirdOfATurn, ()) {
@@ -66,8 +66,8 @@ RC_GTEST_PROP(DeltaDraw, WithEqualMotorsIsTheSameAfterAThirdOfATurn, ()) {
     const Vec2 move = rotated({turned.delta[axis_x], turned.delta[axis_y]}, third);
     turned.delta[axis_x] = move.x;
     turned.delta[axis_y] = move.y;
-    const double before = delta_draw(motors, a_delta, placed.from, placed.block).all;
-    const double after = delta_draw(motors, a_delta, rotated(placed.from, third), turned).all;
+    const double before = total(delta_draw(motors, a_delta, placed.from, placed.block));
+    const double after = total(delta_draw(motors, a_delta, rotated(placed.from, third), turned));
     RC_ASSERT(std::abs(before - after) <= 1e-6 * (1 + before));
 }
 

@@ -118,8 +118,8 @@ TEST(EnergyMeter, FollowsTheHeadOfADelta) {
     meter.place({20, 10});
     for (const Block& block : {there, back, there}) meter.add(block);
     EXPECT_EQ(meter.place(), (Vec2{80, 10}));
-    const double out = delta_draw(printer.power.motors, printer.delta, {20, 10}, there).all;
-    const double home = delta_draw(printer.power.motors, printer.delta, {80, 10}, back).all;
+    const double out = total(delta_draw(printer.power.motors, printer.delta, {20, 10}, there));
+    const double home = total(delta_draw(printer.power.motors, printer.delta, {80, 10}, back));
     EXPECT_NEAR(meter.report().energy.motors, 2 * out + home, 1e-9);
 }
 

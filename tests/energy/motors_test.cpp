@@ -24,7 +24,7 @@ TEST(MotorDraw, OfAFrictionlessStartAndStopIsTheMovingEnergyOnce) {
     std::array<Motor, 4> motors{};
     motors[axis_x].moving_mass = 0.5;
     const Block block = trapezoid({100, 0, 0, 0}, 0, 0, 80, 1000);
-    EXPECT_NEAR(motor_draw(motors, block).all, 0.5 * 0.5 * 0.08 * 0.08, 1e-12);
+    EXPECT_NEAR(total(motor_draw(motors, block)), 0.5 * 0.5 * 0.08 * 0.08, 1e-12);
     EXPECT_NEAR(motor_draw(motors, block).peak, 0.5 * 1.0 * 0.08, 1e-12);
 }
 
@@ -32,7 +32,7 @@ TEST(MotorDraw, WithFrictionThatBrakesByItselfIsFrictionTimesDistance) {
     std::array<Motor, 4> motors{};
     motors[axis_y] = {.friction = 5, .moving_mass = 0.5};
     const Block block = trapezoid({0, 100, 0, 0}, 0, 0, 80, 1000);
-    EXPECT_NEAR(motor_draw(motors, block).xy, 5 * 0.1, 1e-12);
+    EXPECT_NEAR(xy_part(motor_draw(motors, block)), 5 * 0.1, 1e-12);
 }
 
 RC_GTEST_PROP(MotorDraw, AgreesWithSmallSteps, ()) {
@@ -43,7 +43,7 @@ RC_GTEST_PROP(MotorDraw, AgreesWithSmallSteps, ()) {
     double standing = 0;
     for (const Motor& motor : motors) standing += motor.standing;
     const MotorDraw draw = motor_draw(motors, block);
-    RC_ASSERT(std::abs(draw.all + standing * duration(block) - twin.energy) <=
+    RC_ASSERT(std::abs(total(draw) + standing * duration(block) - twin.energy) <=
               1e-3 * twin.energy + 1e-9);
     RC_ASSERT(std::abs(draw.peak + standing - twin.peak) <= 1e-3 * twin.peak + 1e-9);
 }
@@ -55,7 +55,8 @@ RC_GTEST_PROP(MotorDraw, ExchangesWithTheAxes, ()) {
     Block turned = block;
     std::swap(turned.delta[axis_x], turned.delta[axis_y]);
     const MotorDraw a = motor_draw(motors, block), b = motor_draw(motors, turned);
-    RC_ASSERT(std::abs(a.xy - b.xy) <= 1e-12 * a.xy && std::abs(a.all - b.all) <= 1e-12 * a.all);
+    RC_ASSERT(std::abs(xy_part(a) - xy_part(b)) <= 1e-12 * xy_part(a) &&
+              std::abs(total(a) - total(b)) <= 1e-12 * total(a));
 }
 
 // A CoreXY by small steps: forces along the axes, halves of their sum and difference on the belts.
@@ -89,8 +90,8 @@ RC_GTEST_PROP(CoreDraw, AgreesWithSmallSteps, ()) {
     const std::array<Motor, 4> motors{any_motor(), any_motor(), any_motor(), any_motor()};
     const Block block = any_block();
     const double twin = core_by_steps(motors, block, 3000);
-    RC_ASSERT(std::abs(motor_draw(motors, block, Kinematics::corexy).xy - twin) <=
-              1e-3 * twin + 1e-9);
+    RC_ASSERT(std::abs(xy_part(motor_draw(motors, block, Kinematics::corexy), Kinematics::corexy) -
+                       twin) <= 1e-3 * twin + 1e-9);
 }
 
 RC_GTEST_PROP(CoreDraw, TurnedByAnEighthIsCartesianWithFasterMotors, ()) {
@@ -104,8 +105,8 @@ RC_GTEST_PROP(CoreDraw, TurnedByAnEighthIsCartesianWithFasterMotors, ()) {
     const Vec2 d = rotated({block.delta[axis_x], block.delta[axis_y]}, unit(pi / 4));
     turned.delta[axis_x] = d.x;
     turned.delta[axis_y] = d.y;
-    const double a = motor_draw(cartesian, block).all;
-    const double b = motor_draw(core, turned, Kinematics::corexy).all;
+    const double a = total(motor_draw(cartesian, block));
+    const double b = total(motor_draw(core, turned, Kinematics::corexy));
     RC_ASSERT(std::abs(a - b) <= 1e-9 * (a + 1e-6));
 }
 
@@ -115,8 +116,8 @@ RC_GTEST_PROP(CoreDraw, AlongXTakesTheSameWorkAsOneMotorAndLosesOfTwo, ()) {
     Block block = any_block();
     block.delta[axis_y] = 0;
     const double loss = motor.per_speed * std::abs(block.delta[axis_x]);
-    const double one = motor_draw(motors, block).xy;
-    const double two = motor_draw(motors, block, Kinematics::corexy).xy;
+    const double one = xy_part(motor_draw(motors, block));
+    const double two = xy_part(motor_draw(motors, block, Kinematics::corexy), Kinematics::corexy);
     RC_ASSERT(std::abs(two - one - loss) <= 1e-9 * (1 + two));
 }
 
@@ -125,10 +126,12 @@ TEST(CoreDraw, OfADiagonalIsThatOfOneMotorAlone) {
     for (std::size_t i = 0; i < 2; ++i)
         motors[i] = {.per_speed = 0.05, .friction = 2, .moving_mass = 1};
     const Block diagonal = trapezoid({50, 50, 0, 0}, 20, 20, 80, 1000);
-    const double whole = motor_draw(motors, diagonal, Kinematics::corexy).xy;
+    const double whole =
+        xy_part(motor_draw(motors, diagonal, Kinematics::corexy), Kinematics::corexy);
     motors[1].per_speed = 7;
     motors[1].efficiency = 0.1;
-    EXPECT_DOUBLE_EQ(motor_draw(motors, diagonal, Kinematics::corexy).xy, whole);
+    EXPECT_DOUBLE_EQ(xy_part(motor_draw(motors, diagonal, Kinematics::corexy), Kinematics::corexy),
+                     whole);
 }
 
 RC_GTEST_PROP(CoreDraw, InXZIsThatInXYWithYAndZExchanged, ()) {
@@ -140,7 +143,7 @@ RC_GTEST_PROP(CoreDraw, InXZIsThatInXYWithYAndZExchanged, ()) {
     std::swap(lying.delta[axis_y], lying.delta[axis_z]);
     const MotorDraw a = motor_draw(motors, block, Kinematics::corexz);
     const MotorDraw b = motor_draw(exchanged, lying, Kinematics::corexy);
-    RC_ASSERT(std::abs(a.all - b.all) <= 1e-12 * a.all &&
+    RC_ASSERT(std::abs(total(a) - total(b)) <= 1e-12 * total(a) &&
               std::abs(a.peak - b.peak) <= 1e-9 * a.peak);
 }
 
