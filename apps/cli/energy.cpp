@@ -46,7 +46,8 @@ void print_text(const Console& console, const Options& options, const JudgedFile
 
 void energy(const Options& options) {
     const Console console = console_of(options.output);
-    const JudgedFile judged = judge_file(options.file, options.machine, console);
+    const JudgedFile judged =
+        judge_file(options.file, options.machine, console, Judging::motion_and_energy);
     print_text(console, options, judged);
 
     Json result = result_head("energy", {options.file});

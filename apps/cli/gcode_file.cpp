@@ -50,12 +50,12 @@ class Hearing {
 };
 
 JudgedFile judged_file(const std::string& file, const MachineOptions& options,
-                       const MotionSink& watch) {
+                       const MotionSink& watch, Judging judging) {
     const SlicerNotes notes = slicer_notes(file);
     JudgedFile judged{file, machine_choice(options, notes)};
     judged.slicer_estimate = notes.estimate;
     judged.warnings = judged.choice.warnings;
-    Judge judge(judged.choice.machine, watch);
+    Judge judge(judged.choice.machine, watch, judging);
     Hearing hearing(judged, judge);
     judged.file =
         read_gcode(std::filesystem::path(file), {.firmware = judged.choice.firmware.firmware},
@@ -73,15 +73,15 @@ void say_warnings(const JudgedFile& judged, const Console& console) {
 }  // namespace
 
 JudgedFile judge_file(const std::string& file, const MachineOptions& options,
-                      const Console& console, const MotionSink& watch) {
-    JudgedFile judged = judged_file(file, options, watch);
+                      const Console& console, Judging judging, const MotionSink& watch) {
+    JudgedFile judged = judged_file(file, options, watch, judging);
     say_warnings(judged, console);
     return judged;
 }
 
 std::vector<JudgedFile> judge_files(const std::vector<std::string>& files,
                                     const MachineOptions& options, int threads,
-                                    const Console& console) {
+                                    const Console& console, Judging judging) {
     struct Place {
         std::optional<JudgedFile> judged;
         std::exception_ptr error;
@@ -89,7 +89,7 @@ std::vector<JudgedFile> judge_files(const std::vector<std::string>& files,
     std::vector<Place> places(files.size());
     parallel_for(files.size(), threads, [&](std::size_t i) {
         try {
-            places[i].judged = judged_file(files[i], options, {});
+            places[i].judged = judged_file(files[i], options, {}, judging);
         } catch (...) {
             places[i].error = std::current_exception();
         }

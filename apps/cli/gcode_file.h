@@ -22,12 +22,12 @@ struct JudgedFile {
 
 // Says its warnings.
 JudgedFile judge_file(const std::string& file, const MachineOptions& options,
-                      const Console& console, const MotionSink& watch = {});
+                      const Console& console, Judging judging, const MotionSink& watch = {});
 
 // Each on a thread of its own; warnings, and the error if there is one, come in the files' order.
 std::vector<JudgedFile> judge_files(const std::vector<std::string>& files,
                                     const MachineOptions& options, int threads,
-                                    const Console& console);
+                                    const Console& console, Judging judging);
 
 // "93482 lines by PrusaSlicer"
 std::string described(const GcodeReport& file);

@@ -33,18 +33,18 @@ JudgedFile judge_with_blocks(const Options& options, const Console& console) {
                     Fault::usage);
     OutputFile blocks(options.blocks);
     blocks.stream() << "line,length_mm,v_nominal,v_entry,v_peak,v_exit,t_accel,t_cruise,t_decel\n";
-    JudgedFile judged =
-        judge_file(options.files[0], options.machine, console, [&](const MotionEvent& event) {
-            if (const Block* block = std::get_if<Block>(&event))
-                write_block(blocks.stream(), *block);
-        });
+    JudgedFile judged = judge_file(options.files[0], options.machine, console, Judging::motion,
+                                   [&](const MotionEvent& event) {
+                                       if (const Block* block = std::get_if<Block>(&event))
+                                           write_block(blocks.stream(), *block);
+                                   });
     blocks.keep();
     return judged;
 }
 
 std::vector<JudgedFile> judge(const Options& options, const Console& console) {
     if (!options.blocks.empty()) return {judge_with_blocks(options, console)};
-    return judge_files(options.files, options.machine, options.threads, console);
+    return judge_files(options.files, options.machine, options.threads, console, Judging::motion);
 }
 
 void write_csv(const std::string& place, const std::vector<JudgedFile>& all) {

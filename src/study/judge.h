@@ -5,6 +5,8 @@
 //     read_gcode(file, [&](const Command& command) { judge.add(command); });
 //     const Assessment cost = judge.finish();
 #pragma once
+#include <optional>
+
 #include "energy/meter.h"
 #include "energy/published.h"
 #include "machine/material.h"
@@ -21,21 +23,24 @@ struct Machine {
 };
 
 struct Assessment {
-    EnergyReport energy;
+    EnergyReport energy;  // all 0 if nobody asked for it
     MotionTotals motion;
     Features features;
 };
 
+enum class Judging { motion, motion_and_energy };
+
 class Judge {
   public:
     // `watch` is told every event too.
-    explicit Judge(const Machine& machine, MotionSink watch = {});
+    explicit Judge(const Machine& machine, MotionSink watch = {},
+                   Judging judging = Judging::motion_and_energy);
     Judge(const Judge&) = delete;  // the planner reports to this very object
     Judge& operator=(const Judge&) = delete;
 
     void add(const Command& command) {
         planner_->add(command);
-        follow(command);
+        if (meter_) follow(command);
     }
     Assessment finish();
     [[nodiscard]] const Limits& limits() const { return planner_->limits(); }
@@ -45,7 +50,7 @@ class Judge {
     void follow(const Command& command);
 
     bool moved_ = false;
-    EnergyMeter meter_;
+    std::optional<EnergyMeter> meter_;
     MotionTotals totals_;
     Features features_;
     MotionSink watch_;
