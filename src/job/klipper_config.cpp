@@ -45,8 +45,8 @@ class KlipperConfig {
         read_extruder();
         read_bed();
         read_steps();
-        if (const auto found = find("gcode_arcs", "resolution", above_zero))
-            state("arc_resolution_mm", 0, *found);
+        state("arc_resolution_mm", 0,
+              find_or("gcode_arcs", "resolution", above_zero, {1, by_default}));
         for (const StatedLimit& limit : read_.says.limits)
             named_limit(limit.name).put(read_.printer.limits, limit.axis, limit.value);
         remark();

@@ -79,7 +79,7 @@ constexpr std::array rows{
     single<&L::arc_resolution>("arc_resolution_mm", "chords of arcs", "mm", all),
     single<&L::drop_segments>("drop_segments_steps", "moves joined up to", "steps",
                               prusas | marlins, {.low = 0, .high = 1000}, LimitForm::whole),
-    single<&L::slowdown>("slowdown", "slow down when short of moves", "", prusas | marlins,
+    single<&L::slowdown>("slowdown", "short moves stretched", "", prusas | marlins,
                          {.low = 0, .high = 1}, LimitForm::flag),
 };
 

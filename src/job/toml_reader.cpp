@@ -78,7 +78,10 @@ void TomlReader::Document::check_known(const toml::table& level, const std::stri
         if (leads_to_a_key(path)) fail(node, path, fmt::format("must be a table [{}]", path));
         const std::vector<std::string_view> known(asked.begin(), asked.end());
         const std::string hint = suggestion(path, known);
-        fail(node, path, "is not a key of this file" + (hint.empty() ? "; remove it" : hint));
+        const bool option = fault_in(place) == Fault::usage;
+        fail(node, path,
+             std::string(option ? "is not a setting" : "is not a key of this file") +
+                 (hint.empty() ? "; remove it" : hint));
     }
 }
 

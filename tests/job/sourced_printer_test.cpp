@@ -114,7 +114,7 @@ TEST(SourcedPrinter, SetRefusesWhatCannotBe) {
         return complaint_of([&] { sourced_printer({.set = {set}}); }, Fault::usage);
     };
     EXPECT_TRUE(says(complaint("limits.jerk_mm_s=[8,8,0,2]"), "jerk_mm_s is 0"));
-    EXPECT_TRUE(says(complaint("limits.max_jerk=8"), "not a key"));
+    EXPECT_TRUE(says(complaint("limits.max_jerk=8"), "is not a setting"));
     EXPECT_TRUE(says(complaint("speed"), "name=value"));
 }
 
