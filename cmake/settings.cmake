@@ -2,7 +2,7 @@
 add_library(bead_settings INTERFACE)
 target_include_directories(bead_settings INTERFACE ${PROJECT_SOURCE_DIR}/src)
 target_compile_options(bead_settings INTERFACE
-  -Wall -Wextra -Wconversion -Wshadow -Werror -ffp-contract=off)
+  -Wall -Wextra -Wconversion -Wshadow -Werror -ffp-contract=off -fno-math-errno)
 if(BEAD_CHECK_EXPECTS)
   target_compile_definitions(bead_settings INTERFACE BEAD_CHECK_EXPECTS)
 endif()

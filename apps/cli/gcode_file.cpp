@@ -23,7 +23,6 @@ class Hearing {
     Hearing(JudgedFile& judged, Judge& judge) : judged_(judged), judge_(judge) {}
 
     void hear(const Command& command) {
-        judged_.asked.add(command);
         if (const SetLimits* const told = std::get_if<SetLimits>(&command.what)) {
             if (std::ranges::any_of(told->jerk, [](const auto& jerk) { return jerk == 0; }))
                 note_no_jerk(command.line);
@@ -33,6 +32,7 @@ class Hearing {
         } else {
             judge_.add(command);
         }
+        judged_.asked.add(command);
     }
 
   private:

@@ -18,6 +18,12 @@ constexpr double halt_preference =
     0.99;                       // a halt is taken when it is at most 1 % slower than coasting
 constexpr double still = 1e-4;  // mm/s, below this the machine stands
 
+// Of a number that is not below 0; std::ceil is a call where the processor's own may be missing.
+double rounded_up(double x) {
+    const auto whole = static_cast<double>(static_cast<std::int64_t>(x));
+    return whole < x ? whole + 1 : whole;
+}
+
 LookAheadRules rules_of(const PrusaOptions& options) {
     return {.depth = options.lookahead,
             .bounded_halts = !options.quirks.unbounded_halt,
@@ -123,7 +129,7 @@ double PrusaPlanner::path_acceleration(const StepMove& taken, const Block& block
     }
     const auto most = static_cast<double>(taken.longest);
     const double steps_per_mm = most / block.length;
-    double rate = std::ceil(asked * steps_per_mm);
+    double rate = rounded_up(asked * steps_per_mm);
     for (const Axis i : {axis_x, axis_y, axis_e, axis_z}) {
         const double axis_most = limits_.max_acceleration[i] * limits_.steps_per_mm[i];
         const auto axis_steps = static_cast<double>(std::abs(taken.steps[i]));

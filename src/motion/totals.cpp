@@ -17,11 +17,9 @@ LayerMotion& current_layer(MotionTotals& totals) {
 void add_speeds(MotionTotals& totals, const Block& block) {
     totals.fastest = std::max(totals.fastest, block.v_peak);
     if (block.v_peak < block.v_nominal * (1 - 1e-9)) totals.short_of_speed += 1;
-    if (block.length <= 0) return;
-    const double per_mm = block.v_peak / block.length;
     for (std::size_t i = 0; i < block.delta.size(); ++i)
-        totals.fastest_axis[i] =
-            std::max(totals.fastest_axis[i], std::abs(block.delta[i]) * per_mm);
+        if (std::abs(block.delta[i]) * block.v_peak > totals.fastest_axis[i] * block.length)
+            totals.fastest_axis[i] = std::abs(block.delta[i]) * block.v_peak / block.length;
 }
 
 void add(MotionTotals& totals, const Block& block) {

@@ -19,17 +19,20 @@ void AskedSpeeds::add(const Command& command) {
     }
 }
 
+// Squares are compared: no root and no division unless an axis is asked for more than ever before.
 void AskedSpeeds::take(const Move& move) {
     PerAxis<double> way;
-    for (std::size_t i = 0; i < way.size(); ++i) way[i] = std::abs(move.to[i] - place_[i]);
+    for (std::size_t i = 0; i < way.size(); ++i) way[i] = move.to[i] - place_[i];
     place_ = move.to;
-    const double head = std::sqrt(way[axis_x] * way[axis_x] + way[axis_y] * way[axis_y] +
-                                  way[axis_z] * way[axis_z]);
+    const double head =
+        way[axis_x] * way[axis_x] + way[axis_y] * way[axis_y] + way[axis_z] * way[axis_z];
     if (head > 0) path_ = std::max(path_, move.feed);
-    const double length = head > 0 ? head : way[axis_e];
-    if (length <= 0) return;
-    const double per_mm = move.feed / length;
-    for (std::size_t i = 0; i < way.size(); ++i) axes_[i] = std::max(axes_[i], way[i] * per_mm);
+    const double length2 = head > 0 ? head : way[axis_e] * way[axis_e];
+    if (length2 <= 0) return;
+    const double feed2 = move.feed * move.feed;
+    for (std::size_t i = 0; i < way.size(); ++i)
+        if (way[i] * way[i] * feed2 > axes_[i] * axes_[i] * length2)
+            axes_[i] = std::abs(way[i]) * move.feed / std::sqrt(length2);
 }
 
 // Somewhere along it both axes of its plane may have the whole speed; what a short arc does not
