@@ -13,7 +13,7 @@ enum class Firmware : std::uint8_t {
     marlin_jerk,  // Marlin 2.1 with classic jerk
     marlin_jd,    // Marlin 2.1 with junction deviation
     klipper,
-    s_curve,      // none of them: a planner of our own that limits jerk, with Marlin's reading
+    s_curve,  // none of them: a planner of our own that limits jerk, with Marlin's reading
 };
 
 // As users name them, in the order above.
