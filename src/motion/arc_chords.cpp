@@ -28,8 +28,7 @@ double angle_of(const Arc& arc, const Position& from, const Axes& axes, Vec2 sta
     double angle = std::atan2(start.x * end.y - start.y * end.x, start.x * end.x + start.y * end.y);
     if (angle < 0) angle += turn;
     if (arc.clockwise) angle -= turn;
-    const bool closed =
-        from[axes.p] == arc.end.to[axes.p] && from[axes.q] == arc.end.to[axes.q];
+    const bool closed = from[axes.p] == arc.end.to[axes.p] && from[axes.q] == arc.end.to[axes.q];
     if (angle == 0 && closed) angle = turn;
     return angle;
 }

@@ -94,8 +94,7 @@ std::size_t LookAhead::sweep_back() {
         Place& p = place(k);
         if (p.pinned || (p.halt && !rules_.bounded_halts)) return k;
         if (apart) end = p.last_exit;
-        const bool at_most =
-            p.at_nominal || (rules_.at_most_stays && p.entry == p.max_entry);
+        const bool at_most = p.at_nominal || (rules_.at_most_stays && p.entry == p.max_entry);
         end = at_most ? p.max_entry : std::min(p.max_entry, end + p.room);
         if (end == p.brake_entry) return k;
         p.brake_entry = p.entry = end;

@@ -25,7 +25,7 @@ Arc turned(double r, double angle) {
 class EveryStyle : public testing::TestWithParam<ArcStyle> {};
 
 TEST_P(EveryStyle, ChordsEndWhereTheArcDoesAndStayOnTheCircle) {
-    for (const double r : {0.5, 3.0, 20.0, 150.0})
+    for (const double r : {3.0, 20.0, 150.0})
         for (const double angle : {0.1, 1.0, 3.0, 6.0}) {
             const Position from{r, 0, 0, 0};
             const auto chords = chords_of(turned(r, angle), from, GetParam());
