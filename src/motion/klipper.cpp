@@ -117,7 +117,7 @@ void KlipperPlanner::move(const Move& move, std::int64_t line) {
     queued.leg.acceleration = block.acceleration;
     queued.leg.deviation = corner_deviation(limits_.square_corner_velocity, limits_.acceleration);
 
-    queue_.push_back(std::move(queued));
+    queue_.push_back(queued);
     if (queue_.size() == 1) return;
     join(queue_[queue_.size() - 2], queue_.back());
     until_flush_ -= queue_.back().block().length / queue_.back().block().v_nominal;

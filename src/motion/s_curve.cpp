@@ -82,7 +82,7 @@ void SCurvePlanner::move(const Move& move, std::int64_t line) {
     queued.block().bead = move.bead;
     queued.between = between_.size();
     if (!window_.empty()) queued.max_entry = corner(window_.back(), queued);
-    window_.push_back(std::move(queued));
+    window_.push_back(queued);
     if (window_.size() >= full_) release(false);
 }
 
