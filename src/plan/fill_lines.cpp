@@ -70,17 +70,30 @@ double total_length(const std::vector<Polyline>& lines) {
     return sum;
 }
 
-}  // namespace
-
-FillLines solid_lines(const FillArea& area, const Bead& bead, double angle) {
+// With the bead that gives the area its volume.
+FillLines filled(const FillArea& area, std::vector<Polyline> lines) {
     constexpr double thinnest = 0.5, thickest = 1.5;  // of the section
-    if (area.centre.empty()) return {};
-    std::vector<Polyline> lines =
-        rectilinear(area.centre, evenly(area.centre, line_angle(area, bead, angle), spacing(bead)));
-    const double deposited = total_length(lines) * spacing(bead);
+    const double deposited = total_length(lines) * spacing(area.bead);
     if (deposited <= 0) return {};
     const double factor = std::clamp(bead::area(area.material) / deposited, thinnest, thickest);
-    return {std::move(lines), scaled(bead, factor)};
+    return {std::move(lines), scaled(area.bead, factor)};
+}
+
+}  // namespace
+
+FillLines solid_lines(const FillArea& area, double angle) {
+    if (area.centre.empty()) return {};
+    const Bead& bead = area.bead;
+    return filled(area, rectilinear(area.centre, evenly(area.centre, line_angle(area, bead, angle),
+                                                        spacing(bead))));
+}
+
+FillLines pattern_lines(const FillArea& area, const FillChoice& choice, Vec2 centre) {
+    if (choice.pattern.has_direction) return solid_lines(area, choice.angle);
+    if (area.centre.empty()) return {};
+    const double step = spacing(area.bead);
+    return filled(area, choice.pattern.make(
+                            area.centre, {step, choice.angle, longest_skin_link * step, centre}));
 }
 
 FillLines sparse_lines(const FillArea& area, const LayerParts& layer, const FillChoice& choice,

@@ -12,7 +12,10 @@ struct FillLines {
 // Solid. Straight lines whose distance divides the area evenly; the bead is then made as wide as
 // gives the area its volume (within limits). A straight strip hardly wider than a bead has its
 // lines along it instead of at `angle`.
-FillLines solid_lines(const FillArea& area, const Bead& bead, double angle);
+FillLines solid_lines(const FillArea& area, double angle);
+
+// Solid too, by the pattern of the choice, one spacing apart.
+FillLines pattern_lines(const FillArea& area, const FillChoice& choice, Vec2 centre);
 
 // `flow`: how many times the layer's bead is laid.
 FillLines sparse_lines(const FillArea& area, const LayerParts& layer, const FillChoice& choice,

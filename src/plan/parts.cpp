@@ -67,19 +67,28 @@ Island& island_of(std::vector<Island>& islands, const Polygon& piece) {
     return islands.front();
 }
 
-void add_area(std::vector<Island>& islands, Role role, const Polygon& piece, double inset) {
+// Skin that is to be printed in one way.
+struct Skin {
+    Role role = Role::skin;
+    Bead bead;
+    bool on_infill = false, patterned = false;
+};
+
+void add_area(std::vector<Island>& islands, const Skin& skin, const Polygon& piece, double inset) {
     Region centre = offset({piece}, -inset);
     if (!centre.empty())
-        island_of(islands, piece).fills.push_back({role, {piece}, std::move(centre)});
+        island_of(islands, piece)
+            .fills.push_back(
+                {skin.role, {piece}, std::move(centre), skin.bead, skin.on_infill, skin.patterned});
 }
 
 // Where a bead fits its line keeps half a spacing from the edge, where it is too narrow a quarter.
-void add_solid(std::vector<Island>& islands, Role role, const Region& region, const Bead& bead) {
-    const double half = spacing(bead) / 2;
+void add_solid(std::vector<Island>& islands, const Skin& skin, const Region& region) {
+    const double half = spacing(skin.bead) / 2;
     const Region wide = opened(region, half);
-    for (const Polygon& piece : wide) add_area(islands, role, piece, half);
+    for (const Polygon& piece : wide) add_area(islands, skin, piece, half);
     for (const Polygon& piece : opened(without(region, wide), half / 2))
-        add_area(islands, role, piece, half / 2);
+        add_area(islands, skin, piece, half / 2);
 }
 
 // Crumbs that no line fits into are left empty.
@@ -90,24 +99,69 @@ void add_sparse(std::vector<Island>& islands, const Region& region, const Bead& 
         const Region centre = offset({piece}, -inwards);
         if (centre.empty()) continue;
         std::vector<FillArea>& fills = island_of(islands, piece).fills;
-        if (fills.empty()) fills.push_back({Role::infill, {}, {}});
+        if (fills.empty()) fills.push_back({Role::infill, {}, {}, bead});
         fills.back().material.push_back(piece);
         fills.back().centre.insert(fills.back().centre.end(), centre.begin(), centre.end());
     }
 }
 
-void add_fills(Shell& shell, const Covers& upper, const Covers& lower, const Region& above,
+Split split_of(const Shell& shell, const Covers& upper, const Covers& lower, const Region& above,
                const PlanOptions& options) {
-    std::vector<Island>& islands = shell.parts.islands;
-    const Bead& bead = shell.parts.bead;
     const int index = shell.parts.index;
     const Region covered =
         options.density >= 1 ? Region{} : lower.below(upper.above(shell.material, index), index);
-    const Split fills = split(shell.material, covered, above, narrowest_solid * bead.width);
+    return split(shell.material, covered, above, narrowest_solid * shell.parts.bead.width);
+}
+
+// The first layer has one bead for all.
+Bead skin_bead(const LayerParts& layer, double width) {
+    return layer.index == 0 || width <= 0 ? layer.bead : Bead{width, layer.height};
+}
+
+bool tells_over_infill(const PlanOptions& options) {
+    return options.speeds.over_infill > 0 || options.over_infill_width > 0 ||
+           options.over_infill_acceleration > 0;
+}
+
+// What lies below a layer; empty regions below the first.
+struct Below {
+    Region outline, sparse;
+};
+
+// The part of `from` that also lies in `in` and what is left of it, both without slivers.
+std::pair<Region, Region> parted(const Region& from, const Region& in, double narrowest) {
+    Region common = without_slivers(common_part(from, in), narrowest);
+    Region rest = without_slivers(without(from, common), narrowest);
+    return {std::move(common), std::move(rest)};
+}
+
+// Skin that is not seen from above. What differs in nothing that is asked for stays in one piece.
+void add_skin(Shell& shell, Region skin, const Below& below, const PlanOptions& options) {
+    std::vector<Island>& islands = shell.parts.islands;
+    const Bead& bead = shell.parts.bead;
+    const double narrowest = narrowest_solid * bead.width;
+    if (tells_over_infill(options)) {
+        auto [bridge, other] = parted(skin, below.sparse, narrowest);
+        const Bead thread = skin_bead(shell.parts, options.over_infill_width);
+        add_solid(islands, {Role::skin, thread, true}, bridge);
+        skin = std::move(other);
+    }
+    if (options.pattern_on_bottom) {
+        auto [inner, bottom] = parted(skin, below.outline, narrowest);
+        add_solid(islands, {Role::skin, bead, false, true}, bottom);
+        skin = std::move(inner);
+    }
+    add_solid(islands, {Role::skin, bead}, skin);
+}
+
+void add_fills(Shell& shell, const Split& fills, const Below& below, const PlanOptions& options) {
+    std::vector<Island>& islands = shell.parts.islands;
     if (options.density > 0 && options.density < 1)
-        add_sparse(islands, fills.sparse, bead, options.walls > 0 ? options.infill_overlap : 0);
-    add_solid(islands, Role::skin, fills.skin, bead);
-    add_solid(islands, Role::top_skin, fills.top, bead);
+        add_sparse(islands, fills.sparse, shell.parts.bead,
+                   options.walls > 0 ? options.infill_overlap : 0);
+    add_skin(shell, fills.skin, below, options);
+    const Bead top = skin_bead(shell.parts, options.top_skin_width);
+    add_solid(islands, {Role::top_skin, top}, fills.top);
 }
 
 Vec2 centre_of(std::span<const Layer> layers) {
@@ -130,8 +184,13 @@ std::vector<LayerParts> parts_of(std::span<const Layer> layers, const PlanOption
                              ? upper
                              : Covers(outlines, options.bottom_layers, options.threads);
     outlines.emplace_back();  // above the last
+    std::vector<Split> fills(layers.size());
     parallel_for(layers.size(), options.threads, [&](std::size_t i) {
-        add_fills(shells[i], upper, lower, outlines[i + 1], options);
+        fills[i] = split_of(shells[i], upper, lower, outlines[i + 1], options);
+    });
+    parallel_for(layers.size(), options.threads, [&](std::size_t i) {
+        const Below below = i > 0 ? Below{outlines[i - 1], fills[i - 1].sparse} : Below{};
+        add_fills(shells[i], fills[i], below, options);
     });
     std::vector<LayerParts> parts;
     for (Shell& shell : shells) {

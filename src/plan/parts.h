@@ -24,6 +24,9 @@ struct FillArea {
     Role role = Role::infill;  // skin, top_skin or infill
     Region material;           // what is to be filled
     Region centre;             // where centre lines may run
+    Bead bead = {};
+    bool on_infill = false;  // skin on the sparse infill of the layer below
+    bool patterned = false;  // skin that is to have the pattern of the infill
 };
 
 // One connected piece of a layer.
@@ -36,7 +39,7 @@ struct Island {
 struct LayerParts {
     double z = 0, height = 0;  // mm; z is the top of the layer
     int index = 0;             // from 0
-    Bead bead;                 // of everything in this layer
+    Bead bead;                 // of everything in this layer but, where asked for, its skin
     std::vector<Island> islands;
     std::vector<Polyline> skirt;  // closed loops; first layer only
     Vec2 centre;  // middle of the box round all layers: infill is laid out from here

@@ -24,7 +24,8 @@ Vec2 entry_of(const Island& island) {
 
 FillLines lines_of(const FillArea& area, const LayerParts& layer, const FillChoice& choice,
                    const FillSpacing& lines, const PlanOptions& options) {
-    if (area.role != Role::infill) return solid_lines(area, layer.bead, choice.angle);
+    if (area.patterned) return pattern_lines(area, choice, layer.centre);
+    if (area.role != Role::infill) return solid_lines(area, choice.angle);
     const std::size_t i = index_of(choice.pattern);
     if (lines.by_pattern[i] > 0)
         return sparse_lines(area, layer, choice, lines.by_pattern[i], lines.flow[i]);
@@ -34,6 +35,7 @@ FillLines lines_of(const FillArea& area, const LayerParts& layer, const FillChoi
 struct FilledArea {
     Role role;
     FillLines fill;
+    bool on_infill;
 };
 
 double way_to(const FilledArea& area, Vec2 from) {
@@ -52,7 +54,7 @@ void lay_fills(Route& route, std::vector<FilledArea> areas, const Region& around
         });
         std::iter_swap(next, nearest);
         for (const Polyline& line : near_order(std::move(next->fill.lines), route.at()))
-            route.lay(next->role, next->fill.bead, line, around);
+            route.lay({next->role, next->fill.bead, next->on_infill}, line, around);
     }
 }
 
@@ -65,17 +67,18 @@ double layer_angle(double angle, int layer_index) {
 Toolpath plan_layer(const LayerParts& parts, const FillChoice& choice, const FillSpacing& lines,
                     const PlanOptions& options, Vec2 start) {
     Route route(parts, options, start);
-    for (const Polyline& loop : parts.skirt) route.lay(Role::skirt, parts.bead, closed(loop), {});
+    for (const Polyline& loop : parts.skirt) route.lay({Role::skirt, parts.bead}, closed(loop), {});
     std::vector<const Island*> islands;
     for (const Island& island : parts.islands) islands.push_back(&island);
     const auto entry = [](const Island* island) { return entry_of(*island); };
     for (const Island* island : nearest_first(std::move(islands), route.at(), entry)) {
         const Region around{island->outline};
         for (const WallLoop& wall : island->walls)
-            route.lay(wall.role, parts.bead, closed(wall.points), around);
+            route.lay({wall.role, parts.bead}, closed(wall.points), around);
         std::vector<FilledArea> areas;
         for (const FillArea& area : island->fills)
-            areas.push_back({area.role, lines_of(area, parts, choice, lines, options)});
+            areas.push_back(
+                {area.role, lines_of(area, parts, choice, lines, options), area.on_infill});
         lay_fills(route, std::move(areas), around);
     }
     return std::move(route).finished();

@@ -3,7 +3,7 @@
 namespace bead {
 namespace {
 
-double speed_of(Role role, const Speeds& speeds) {
+double usual_speed(Role role, const Speeds& speeds) {
     switch (role) {
         case Role::travel:
             return speeds.travel;
@@ -50,13 +50,22 @@ bool stays_inside(const Region& region, Vec2 a, Vec2 b) {
 Route::Route(const LayerParts& layer, const PlanOptions& options, Vec2 start)
     : z_(layer.z), is_first_layer_(layer.index == 0), options_(options), at_(start) {}
 
-void Route::lay(Role role, const Bead& bead, const Polyline& line, const Region& around) {
+double Route::speed_of(const Laid& as) const {
+    const Speeds& speeds = options_.speeds;
+    if (is_first_layer_) return speeds.first_layer;
+    return as.on_infill && speeds.over_infill > 0 ? speeds.over_infill
+                                                  : usual_speed(as.role, speeds);
+}
+
+double Route::acceleration_of(const Laid& as) const {
+    if (is_first_layer_) return options_.first_layer_acceleration;
+    return as.on_infill ? options_.over_infill_acceleration : 0;
+}
+
+void Route::lay(const Laid& as, const Polyline& line, const Region& around) {
     if (line.size() < 2) return;
     travel(line.front(), around);
-    const double speed =
-        is_first_layer_ ? options_.speeds.first_layer : speed_of(role, options_.speeds);
-    const double acceleration = is_first_layer_ ? options_.first_layer_acceleration : 0;
-    path_.push_back({role, bead, speed, acceleration, false, raised(line)});
+    path_.push_back({as.role, as.bead, speed_of(as), acceleration_of(as), false, raised(line)});
     at_ = line.back();
 }
 

@@ -9,11 +9,11 @@ namespace {
 
 Region common(const Region& a, const Region& b) { return a == b ? a : common_part(a, b); }
 
+}  // namespace
+
 Region without_slivers(const Region& region, double narrowest) {
     return region.empty() ? region : opened(region, narrowest / 2);
 }
-
-}  // namespace
 
 Region common_part(const Region& a, const Region& b) {
     if (a.empty() || b.empty()) return {};

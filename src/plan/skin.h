@@ -10,6 +10,8 @@ namespace bead {
 // Intersection and difference, without the specks that rounding leaves.
 Region common_part(const Region& a, const Region& b);
 Region without(const Region& from, const Region& cut);
+// Without what is narrower than that.
+Region without_slivers(const Region& region, double narrowest);
 
 // Of every region, what it has in common with the `count - 1` that follow it (count > 0); empty
 // where fewer follow. Takes about log2(count) intersections per region.

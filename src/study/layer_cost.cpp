@@ -36,6 +36,8 @@ std::uint64_t hash_of(const LayerParts& layer) {
         hash.add(island.outline);
         for (const FillArea& area : island.fills) {
             hash.add(static_cast<std::uint64_t>(area.role));
+            hash.add(static_cast<std::uint64_t>(area.on_infill));
+            hash.add(static_cast<std::uint64_t>(area.patterned));
             for (const Polygon& polygon : area.material) hash.add(polygon);
         }
     }
