@@ -8,6 +8,14 @@
 
 namespace bead {
 
+namespace {
+
+// s: who is that close to the target is there. A wait that was cut into pieces ends as one that was
+// not.
+constexpr double rounding = 1e-9;
+
+}  // namespace
+
 HeatedBody::HeatedBody(double max_power, double capacity, double ambient)
     : max_power_(max_power),
       capacity_(capacity),
@@ -44,15 +52,15 @@ HeatDraw HeatedBody::advance(double seconds, double conductance, double load) {
     const double rest = ambient_ + (power - drain) / conductance;
     const double time_constant = capacity_ / conductance;
     const double arrival = time_to_target(rest, time_constant);
+    const bool arrives = arrival <= seconds + rounding;
     const double way = std::min(arrival, seconds), before = temperature_;
-    temperature_ = arrival > seconds
-                       ? rest + (temperature_ - rest) * std::exp(-seconds / time_constant)
-                       : target_;
+    temperature_ =
+        !arrives ? rest + (temperature_ - rest) * std::exp(-seconds / time_constant) : target_;
     const double excess =
         ((power - drain) * way - capacity_ * (temperature_ - before)) / conductance;
-    if (arrival > seconds) return {power * seconds, excess, power};
+    if (!arrives) return {power * seconds, excess, power};
     const HeatDraw after = advance(seconds - arrival, conductance, load);
-    return {power * arrival + after.energy, excess + after.excess, std::max(power, after.peak)};
+    return {power * way + after.energy, excess + after.excess, std::max(power, after.peak)};
 }
 
 }  // namespace bead

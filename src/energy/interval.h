@@ -2,7 +2,9 @@
 // is off by its own standard uncertainty, independently of the others, and the supply is off for
 // all it feeds alike.
 #pragma once
-#include "energy/meter.h"
+#include "energy/published.h"
+#include "energy/report.h"
+#include "machine/power.h"
 
 namespace bead {
 
@@ -11,5 +13,12 @@ struct Interval {
 };
 
 Interval interval_95(const Energy& energy, const PowerModel& power);
+
+// Of the published model, and of its standing form with the same coefficients: what its fit to ten
+// prints leaves open (their covariance, and the residual of a single print), by Student's t with
+// six degrees of freedom. Narrow only near those prints: a quarter of an hour to an hour, 20-80
+// mm/s, one machine.
+Interval published_interval_95(const Features& features);
+Interval standing_interval_95(const Features& features, double usual_speed = 80);
 
 }  // namespace bead

@@ -4,13 +4,13 @@
 
 #include "core/expects.h"
 #include "energy/block_part.h"
+#include "energy/tariff.h"
 
 namespace bead {
 
 namespace {
 
 constexpr double warm = 50;  // °C, above which the hot end's fan runs
-constexpr double joules_per_kwh = 3.6e6;
 
 double conductance(double resistance) { return resistance > 0 ? 1 / resistance : 0; }
 

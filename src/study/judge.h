@@ -42,6 +42,8 @@ class Judge {
         planner_->add(command);
         if (meter_) follow(command);
     }
+    // Energy over time is told too, see EnergyMeter::listen; expects that energy is asked for.
+    void listen(PowerListener listener) { meter_.value().listen(std::move(listener)); }
     Assessment finish();
     [[nodiscard]] const Limits& limits() const { return planner_->limits(); }
 

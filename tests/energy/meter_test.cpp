@@ -5,64 +5,19 @@
 
 #include <numeric>
 
-#include "support/blocks.h"
+#include "support/any_print.h"
 #include "support/power_twin.h"
 
 namespace bead {
 namespace {
 
 using namespace test;
-
-const Material plain{.density = 1.25, .heat_capacity = 2, .latent = 10};
-constexpr double thin = 1.75;  // mm of filament
-
-PowerModel desktop() {
-    PowerModel power;
-    power.electronics = 9;
-    power.part_fan = 2;
-    power.hotend_fan = 1;
-    power.supply_efficiency = 0.8;
-    power.grid_co2 = 360;
-    power.motors[axis_x] = {.standing = 0.7, .per_speed = 0.05, .friction = 2, .moving_mass = 0.7};
-    power.motors[axis_y] = {.standing = 1.0, .per_speed = 0.05, .friction = 3, .moving_mass = 1.0};
-    power.motors[axis_z] = {.standing = 2.0, .friction = 12};
-    power.motors[axis_e] = {.standing = 2.0, .friction = 30};
-    power.hotend = {.heater = 38, .capacity = 12, .resistance_still = 20, .resistance_blown = 10};
-    power.bed = {.heater = 150, .capacity = 400, .resistance = 1};
-    return power;
-}
-
-using Stream = std::vector<MotionEvent>;
-
-EnergyReport measured(const Stream& stream, const PowerModel& power = desktop()) {
-    EnergyMeter meter(power, plain, thin);
-    for (const MotionEvent& event : stream) meter.add(event);
-    return meter.report();
-}
-
-// A print with all there is: waits, layers, dwells, fan and temperature changes.
-Stream any_print() {
-    Stream stream{SetHeat{Heater::bed, 60, false}, SetHeat{Heater::hotend, 150, false},
-                  SetHeat{Heater::bed, 60, true}, SetHeat{Heater::hotend, 215, true}};
-    const int blocks = *rc::gen::inRange(1, 60);
-    for (int i = 0; i < blocks; ++i) {
-        const int kind = *rc::gen::inRange(0, 12);
-        if (kind == 0) stream.emplace_back(Dwell{number_between(0, 5)});
-        if (kind == 1) stream.emplace_back(SetFan{number_between(0, 1)});
-        if (kind == 2) stream.emplace_back(LayerStart{i * 0.2, 0.2});
-        if (kind == 3)
-            stream.emplace_back(SetHeat{Heater::hotend, number_between(0, 250), i % 2 == 0});
-        stream.emplace_back(any_block());
-    }
-    return stream;
-}
+using test::measured;  // beside the one below
 
 double sum_of_layers(const EnergyReport& report) {
     return std::accumulate(report.by_layer.begin(), report.by_layer.end(), 0.0,
                            [](double sum, const LayerEnergy& l) { return sum + l.total; });
 }
-
-bool near(double a, double b) { return std::abs(a - b) <= 1e-9 * (1 + std::abs(a)); }
 
 RC_GTEST_PROP(EnergyMeter, LosesNothing, ()) {
     const EnergyReport r = measured(any_print());
