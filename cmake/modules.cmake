@@ -30,14 +30,15 @@ function(bead_uses module)
   endif()
 endfunction()
 
-# bead_embed(<module> <folder>): the folder's .toml files become `embedded_files()` in the module,
+# bead_embed(<module> <folder>): the folder's .toml and .csv files become `embedded_files()` in the module,
 # a list of (path, text), so that the program needs no file beside itself.
 function(bead_embed module folder)
   get_target_property(kind bead_${module} TYPE)
   if(kind STREQUAL INTERFACE_LIBRARY)
     return()
   endif()
-  file(GLOB_RECURSE files CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/${folder} ${folder}/*.toml)
+  file(GLOB_RECURSE files CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/${folder}
+       ${folder}/*.toml ${folder}/*.csv)
   set(rows "")
   foreach(file IN LISTS files)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${folder}/${file})

@@ -194,6 +194,64 @@ TEST(PrusaMk3s, DrawsWhatItsMakerSays) {
     EXPECT_TRUE(supplied > 190 && supplied < 240);  // bed and nozzle; what the supply is made for
 }
 
+// Prusa's firmware models this heater with 38 W, 12.1 J/K and 20.5 to 10.1 K/W.
+TEST(PrusaMk3s, HeatsAsItsFirmwareSays) {
+    const PowerModel power = load_printer("prusa-mk3s").power;
+    const auto steady = [&](double duty) {
+        EnergyMeter meter(power, load_material("pla"), 1.75);
+        meter.add(SetHeat{Heater::hotend, 215, true});
+        meter.add(SetFan{duty});
+        const double warm = meter.report().energy.hotend;
+        meter.add(Dwell{100});
+        return (meter.report().energy.hotend - warm) * power.supply_efficiency / 100;
+    };
+    EXPECT_NEAR(steady(0), 9.3, 0.05);
+    EXPECT_NEAR(steady(1), 18.8, 0.05);
+    EnergyMeter meter(power, load_material("pla"), 1.75);
+    meter.add(SetHeat{Heater::hotend, 215, true});
+    const EnergyReport hot = meter.report();
+    const double stored = 12.1 * 190, least = stored / 38;
+    EXPECT_NEAR(hot.terms.hotend.stored, stored, 1e-6);
+    EXPECT_GT(hot.terms.hotend.lost, 0.5 * 9.3 * least);  // half of what it loses when hot
+    EXPECT_LT(hot.terms.hotend.lost, 9.3 * hot.heat_up_duration);
+    EXPECT_NEAR(hot.energy.hotend * power.supply_efficiency, 38 * hot.heat_up_duration, 1e-6);
+}
+
+TEST(PrusaMk3s, HoldsWithWhatItRunsWith) {
+    const PowerModel power = load_printer("prusa-mk3s").power;
+    for (const Motor& motor : power.motors) EXPECT_DOUBLE_EQ(holding(motor), motor.standing);
+    EXPECT_NEAR((power.motors[0].standing + power.motors[1].standing) / 2, 0.833, 0.001);
+    EXPECT_EQ(power.bed_axis, std::size_t{axis_y});
+}
+
+TEST(Windings, ComeFromCurrentsOrFromWatts) {
+    const Printer mk3s = load_printer("prusa-mk3s");
+    const auto set = [&](const std::string& text) {
+        return with_setting(mk3s, text).printer.power;
+    };
+    const PowerModel strong = set("power.motors.run_current_a=[1,1,1,1]");
+    EXPECT_NEAR(strong.motors[0].standing, 2 * 3.49, 1e-12);
+    EXPECT_NEAR(holding(strong.motors[0]), 2 * 3.49, 1e-12);
+    const PowerModel saving = set("power.motors.hold_current_a=[0.1,0.1,0.1,0.1]");
+    EXPECT_NEAR(saving.motors[0].standing, mk3s.power.motors[0].standing, 1e-12);
+    EXPECT_NEAR(holding(saving.motors[0]), 0.0698, 1e-12);
+    const PowerModel watts = set("power.motors.standing_w=[2,2,2,2]");
+    EXPECT_EQ(watts.motors[3].standing, 2);
+    EXPECT_EQ(holding(watts.motors[3]), 2);
+    EXPECT_EQ(holding(set("power.motors.holding_w=[0.1,0.2,0.3,0.4]").motors[3]), 0.4);
+    EXPECT_FALSE(set("power.motors.bed_axis=none").bed_axis);
+}
+
+TEST(Windings, ThatMakeNoSenseAreRefused) {
+    const Printer mk3s = load_printer("prusa-mk3s");
+    EXPECT_THROW(with_setting(mk3s, "power.motors.hold_current_a=[9,9,9,9]"), Error);
+    EXPECT_THROW(with_setting(mk3s, "power.motors.holding_w=[9,9,9,9]"), Error);
+    EXPECT_THROW(with_setting(mk3s, "power.motors.winding_ohm=[0,1,1,1]"), Error);
+    EXPECT_THROW(with_setting(load_printer("ender3"), "power.motors.winding_ohm=[1,1,1,1]"), Error);
+    EXPECT_THROW(with_setting(load_printer("kossel"), "power.motors.bed_axis=y"), Error);
+    EXPECT_THROW(with_setting(mk3s, "power.motors.standstill_delay_s=-1"), Error);
+}
+
 TEST(BuiltInPrinters, AreCompleteAndCanPrint) {
     const std::vector<std::string> names = printer_names();
     for (const char* name : {"prusa-mk3s", "ender3", "voron-corexy", "ldam-1000"})
