@@ -10,6 +10,11 @@ void add_optimize(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_energy(CLI::App& app);
 void add_post_process(CLI::App& app);
+<<<<<<< HEAD
+void add_calibrate(CLI::App& app);
+=======
+void add_replay(CLI::App& app);
+>>>>>>> 36ba4f7 (replay: Work in progress)
 void add_printers(CLI::App& app);
 void add_patterns(CLI::App& app);
 void add_config(CLI::App& app);

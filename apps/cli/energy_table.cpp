@@ -26,6 +26,25 @@ void print_consumers(const Console& console, const Energy& energy) {
                     whole > 0 ? 100 * energy.*row.joules / whole : 0.0);
 }
 
+void print_features(const Console& console, const EnergyReport& report) {
+    console.say("\n{:>14} {:>12}", "feature", "all");
+    for (const Consumer& column : consumers) console.say(" {:>12}", column.name);
+    console.say("\n");
+    const auto row = [&](std::string_view name, const Energy& energy) {
+        if (total(energy) <= 0) return;
+        console.say("{:>14} {:>9.2f} Wh", name, watt_hours(total(energy)));
+        for (const Consumer& column : consumers)
+            console.say(" {:>9.2f} Wh", watt_hours(energy.*column.joules));
+        console.say("\n");
+    };
+    row("heating up", report.heat_up_consumers);
+    for (std::size_t role = 0; role < role_names.size(); ++role) {
+        const bool waits = role == static_cast<std::size_t>(Role::other);
+        row(role_names[role], waits ? report.consumers_by_role[role] - report.heat_up_consumers
+                                    : report.consumers_by_role[role]);
+    }
+}
+
 void print_comparison(const Console& console, const Energy& before, const Energy& after) {
     for (const Consumer& row : consumers)
         console.say(

@@ -50,12 +50,13 @@ class Hearing {
 };
 
 JudgedFile judged_file(const std::string& file, const MachineOptions& options,
-                       const MotionSink& watch, Judging judging) {
+                       const MotionSink& watch, const PowerListener& listener, Judging judging) {
     const SlicerNotes notes = slicer_notes(file);
     JudgedFile judged{file, machine_choice(options, notes)};
     judged.slicer_estimate = notes.estimate;
     judged.warnings = judged.choice.warnings;
     Judge judge(judged.choice.machine, watch, judging);
+    if (listener.hear) judge.listen(listener);
     Hearing hearing(judged, judge);
     judged.file =
         read_gcode(std::filesystem::path(file), {.firmware = judged.choice.firmware.firmware},
@@ -73,8 +74,9 @@ void say_warnings(const JudgedFile& judged, const Console& console) {
 }  // namespace
 
 JudgedFile judge_file(const std::string& file, const MachineOptions& options,
-                      const Console& console, Judging judging, const MotionSink& watch) {
-    JudgedFile judged = judged_file(file, options, watch, judging);
+                      const Console& console, Judging judging, const MotionSink& watch,
+                      const PowerListener& listener) {
+    JudgedFile judged = judged_file(file, options, watch, listener, judging);
     say_warnings(judged, console);
     return judged;
 }
@@ -89,7 +91,7 @@ std::vector<JudgedFile> judge_files(const std::vector<std::string>& files,
     std::vector<Place> places(files.size());
     parallel_for(files.size(), threads, [&](std::size_t i) {
         try {
-            places[i].judged = judged_file(files[i], options, {}, judging);
+            places[i].judged = judged_file(files[i], options, {}, {}, judging);
         } catch (...) {
             places[i].error = std::current_exception();
         }

@@ -20,9 +20,10 @@ struct JudgedFile {
     std::vector<std::string> warnings{};      // lines for people
 };
 
-// Says its warnings.
+// Says its warnings. `watch` is told all motion, `listener` all energy over time.
 JudgedFile judge_file(const std::string& file, const MachineOptions& options,
-                      const Console& console, Judging judging, const MotionSink& watch = {});
+                      const Console& console, Judging judging, const MotionSink& watch = {},
+                      const PowerListener& listener = {});
 
 // Each on a thread of its own; warnings, and the error if there is one, come in the files' order.
 std::vector<JudgedFile> judge_files(const std::vector<std::string>& files,
