@@ -10,11 +10,8 @@ void add_optimize(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_energy(CLI::App& app);
 void add_post_process(CLI::App& app);
-<<<<<<< HEAD
 void add_calibrate(CLI::App& app);
-=======
 void add_replay(CLI::App& app);
->>>>>>> 36ba4f7 (replay: Work in progress)
 void add_printers(CLI::App& app);
 void add_patterns(CLI::App& app);
 void add_config(CLI::App& app);

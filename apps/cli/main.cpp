@@ -60,11 +60,8 @@ int main(int argc, char** argv) {
     bead::cli::add_simulate(app);
     bead::cli::add_energy(app);
     bead::cli::add_post_process(app);
-<<<<<<< HEAD
     bead::cli::add_calibrate(app);
-=======
     bead::cli::add_replay(app);
->>>>>>> 36ba4f7 (replay: Work in progress)
     bead::cli::add_printers(app);
     bead::cli::add_patterns(app);
     bead::cli::add_config(app);
