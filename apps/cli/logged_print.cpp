@@ -106,9 +106,9 @@ MeasuredPrints logged_print(const MeasuredOptions& options, const Console& conso
     const Machine machine = machine_of(options.machine);
     Course course(machine.printer, machine.material);
     const Assessment cost =
-        judge_file(options.gcode, options.machine, console, [&](const MotionEvent& event) {
-            course.add(event);
-        }).cost;
+        judge_file(options.gcode, options.machine, console, Judging::motion_and_energy,
+                   [&](const MotionEvent& event) { course.add(event); })
+            .cost;
     const FoundPrint print = [&] {
         try {
             return find_print(log.trace, course.duration());

@@ -17,7 +17,7 @@ void simulate_into(Observation& seen, const std::string& gcode, const MachineOpt
                    const Machine& machine, const Console& console) {
     const Assessment cost = [&] {
         try {
-            return judge_file(gcode, options, console).cost;
+            return judge_file(gcode, options, console, Judging::motion_and_energy).cost;
         } catch (const Error& error) {
             throw Error(seen.name + ": " + error.what(), error.fault());
         }

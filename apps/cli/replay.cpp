@@ -37,6 +37,7 @@ void replay(const Options& options) {
     const Replay replay{
         options.all,
         replayed(published_runs(), options.threads, progress_on(console)),
+        bracket_rows(options.threads),
         speed_scan(scanned_speeds, machine, options.threads),
     };
     print_replay(console, replay);

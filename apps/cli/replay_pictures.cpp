@@ -53,7 +53,7 @@ std::string scatter_picture(const Replay& replay) {
 std::string angle_picture(const std::vector<ModelEnergies>& points) {
     Chart picture{"One print, its infill turned: energy against that at 0°",
                   {"angle of the infill, °", 0, 90, 15},
-                  {"change, %", -20, 15, 5},
+                  {"change, %", -20, 30, 10},
                   {}};
     for (std::size_t k = 0; k < std::size(models); ++k) {
         ChartSeries curve{models[k].name, chart_inks[k], ChartMark::curve, {}};

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace bead::cli {
@@ -19,7 +20,8 @@ Json agreement_json(const Agreement& agreed) {
     return {{"rows", agreed.rows},
             {"mape_percent", 100 * agreed.mape},
             {"worst_percent", 100 * agreed.worst},
-            {"spearman", {{"overall", agreed.spearman}, {"by_shape", by_shape}}}};
+            {"spearman", agreed.spearman},
+            {"spearman_by_shape", by_shape}};
 }
 
 Json row_json(const ReplayedRun& row) {
@@ -34,6 +36,42 @@ Json row_json(const ReplayedRun& row) {
             {"duration_s", row.ours.duration},
             {"usable", usable(run)},
             {"suspect", row.published.suspect}};
+}
+
+Json features_json(const Features& f, double energy) {
+    return {{"a_mm2_per_s2", f.A},
+            {"b_mm2_per_s2", f.B},
+            {"c_mm", f.C},
+            {"h_s", f.H},
+            {"energy_mj", 1000 * energy}};
+}
+
+// Of appendix D, whose rectangle is among the prints made here; the bracket of E is not published.
+Json appendix_json(const Replay& replay) {
+    Json rows = Json::array();
+    for (const FeatureRow& row : appendix_rows()) {
+        if (row.part != "rectangle") continue;
+        const auto made = std::ranges::find(
+            replay.runs, row.run, [](const ReplayedRun& run) { return run.published.run; });
+        if (made == replay.runs.end()) continue;
+        rows.push_back({{"pattern", pattern_of(row.run)},
+                        {"infill_angle_deg", row.run.infill_angle},
+                        {"geometry_angle_deg", row.run.part_angle},
+                        {"published", features_json(row.features, row.energy)},
+                        {"ours", features_json(made->ours.features, made->ours.energy)}});
+    }
+    return rows;
+}
+
+Json bracket_json(const std::vector<BracketRow>& bracket) {
+    Json rows = Json::array();
+    for (const BracketRow& row : bracket)
+        rows.push_back({{"pattern", pattern_of(row.run)},
+                        {"infill_angle_deg", row.run.infill_angle},
+                        {"geometry_angle_deg", row.run.part_angle},
+                        {"published_mj", 1000 * row.published},
+                        {"stand_in_mj", 1000 * row.ours}});
+    return rows;
 }
 
 Json tally_json(const Tally& tally) { return {{"holds", tally.holds}, {"of", tally.of}}; }
@@ -97,6 +135,19 @@ std::string_view pattern_of(const ExperimentRun& run) { return patterns.at(run.p
 
 Agreement Replay::agreed() const { return agreement(runs, all ? any : is_usable); }
 
+std::vector<BracketRow> bracket_rows(int threads) {
+    std::vector<BracketRow> rows;
+    std::vector<ExperimentRun> runs;
+    for (const FeatureRow& row : appendix_rows()) {
+        if (row.part != "bracket" || std::ranges::count(runs, row.run) > 0) continue;
+        runs.push_back(row.run);
+        rows.push_back({row.run, row.energy, 0});
+    }
+    const std::vector<double> energies = bracket_energies(runs, threads);
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].ours = energies[i];
+    return rows;
+}
+
 AppendixCheck appendix_check() {
     AppendixCheck check;
     for (const FeatureRow& row : appendix_rows()) {
@@ -115,11 +166,14 @@ Json replay_json(const Replay& replay) {
                 {"rows_counted", replay.all ? "all" : "usable"},
                 {"mape_percent", words["mape_percent"]},
                 {"spearman", words["spearman"]},
+                {"spearman_by_shape", words["spearman_by_shape"]},
                 {"agreement",
                  {{"usable", agreement_json(agreement(replay.runs, is_usable))},
                   {"usable_not_suspect", agreement_json(agreement(replay.runs, is_clean))},
                   {"all", agreement_json(agreement(replay.runs, any))}}},
                 {"appendix", {{"rows", appendix.rows}, {"worst_relative", appendix.worst}}},
+                {"appendix_d", appendix_json(replay)},
+                {"bracket", bracket_json(replay.bracket)},
                 {"claims", claims_json(replay)},
                 {"speeds", speeds_json(replay.speeds)},
                 {"break_even_mm_s", break_even_speed()}};

@@ -7,6 +7,7 @@
 #include "job/published_tables.h"
 #include "json_result.h"
 #include "study/angle_scan.h"
+#include "study/case_study.h"
 #include "study/claims.h"
 
 namespace bead::cli {
@@ -17,9 +18,17 @@ struct ClaimResult {
     Tally published, ours;  // 0 of 0 where nothing was counted
 };
 
+// A print of the case study; ours is of a stand-in.
+struct BracketRow {
+    ExperimentRun run;
+    double published = 0, ours = 0;  // J
+};
+std::vector<BracketRow> bracket_rows(int threads);
+
 struct Replay {
     bool all = false;  // rows that cannot be right count too
     std::vector<ReplayedRun> runs;
+    std::vector<BracketRow> bracket;
     std::vector<SpeedPoint> speeds;
     [[nodiscard]] Agreement agreed() const;
 };

@@ -78,15 +78,19 @@ std::string mark(Vec2 at, const ChartSeries& series) {
                        decimal(at.x), decimal(at.y), full ? series.ink : "none", series.ink);
 }
 
+// Broken where it leaves the axes.
 std::string curve(const Chart& chart, const ChartSeries& series) {
-    std::string points;
+    std::string d;
+    bool within = false;
     for (const Vec2 p : series.points) {
-        if (!holds(chart.x, p.x) || !holds(chart.y, p.y)) continue;
+        const bool was_within = within;
+        within = holds(chart.x, p.x) && holds(chart.y, p.y);
+        if (!within) continue;
         const Vec2 at = place(chart, p);
-        points += fmt::format("{},{} ", decimal(at.x), decimal(at.y));
+        d += fmt::format("{}{} {}", was_within ? 'L' : 'M', decimal(at.x), decimal(at.y));
     }
-    return fmt::format("<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"2\" points=\"{}\"/>\n",
-                       series.ink, points);
+    return fmt::format("<path fill=\"none\" stroke=\"{}\" stroke-width=\"2\" d=\"{}\"/>\n",
+                       series.ink, d);
 }
 
 std::string drawn(const Chart& chart, const ChartSeries& series) {

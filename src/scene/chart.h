@@ -22,7 +22,7 @@ struct ChartSeries {
     std::string name;  // in the key; empty: not there
     std::string_view ink;
     ChartMark mark = ChartMark::curve;
-    std::vector<Vec2> points;  // those outside the axes are left out
+    std::vector<Vec2> points;  // those outside the axes are left out, curves are broken there
 };
 
 struct Chart {

@@ -1,6 +1,9 @@
 // What may be asked of skin: widths, speeds and patterns of its own where it lies.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <tuple>
+
 #include "plan/plan.h"
 #include "support/layers.h"
 
@@ -29,7 +32,18 @@ Toolpath planned(const PlanOptions& options) {
     return plan(shapes::prism(shapes::rectangle({0, 0}, {30, 20}), 5), options);
 }
 
-bool same(const Toolpath& a, const Toolpath& b) {
+bool before(Vec3 a, Vec3 b) { return std::tie(a.x, a.y) < std::tie(b.x, b.y); }
+
+// In an order that does not tell from where the layer was begun.
+Toolpath sorted(Toolpath layer) {
+    for (Path& piece : layer)
+        if (before(piece.points.back(), piece.points.front())) std::ranges::reverse(piece.points);
+    std::ranges::sort(layer, before, [](const Path& piece) { return piece.points.front(); });
+    return layer;
+}
+
+bool same(const Toolpath& one, const Toolpath& other) {
+    const Toolpath a = sorted(one), b = sorted(other);
     return std::ranges::equal(a, b, [](const Path& p, const Path& q) {
         return p.role == q.role && p.bead == q.bead && p.speed == q.speed &&
                p.acceleration == q.acceleration && p.points == q.points;

@@ -23,7 +23,15 @@ std::size_t count(const std::string& text, const std::string& part) {
 TEST(Chart, LeavesOutWhatLiesOutsideTheAxes) {
     const std::string text = chart(a_chart());
     EXPECT_EQ(count(text, "<circle"), 2U + 1 + 1);  // two points, one ring, one mark in the key
-    EXPECT_EQ(count(text, "<polyline"), 1U);
+    EXPECT_EQ(count(text, "<path fill=\"none\""), 1U);
+}
+
+TEST(Chart, BreaksACurveWhereItLeavesTheAxes) {
+    Chart picture = a_chart();
+    picture.series = {
+        {"", chart_inks[0], ChartMark::curve, {{0, 0}, {2, 0}, {4, 5}, {6, 0}, {8, 0}}}};
+    const std::string text = chart(picture);
+    EXPECT_EQ(count(text, "d=\"M70 246L190 246M430 246L550 246\""), 1U);
 }
 
 TEST(Chart, PutsPointsWhereTheyBelong) {

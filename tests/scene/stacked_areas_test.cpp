@@ -24,7 +24,7 @@ TEST(StackedAreas, HasOnePathOfItsInkForEachBand) {
 // Both bands are 4 high together at any time, so the upper one's top is level.
 TEST(StackedAreas, PutsBandsOnTopOfEachOther) {
     const std::string svg = stacked_areas_svg(two_bands());
-    const std::size_t high = svg.rfind("<path d=\"M70 ", svg.find("#222222\"/>"));
+    const std::size_t high = svg.rfind("<path d=\"M70 ", svg.rfind("#222222\"/>"));
     const std::string top = svg.substr(high + 13, svg.find('H', high) - high - 13);
     std::size_t at = high;
     for (int i = 0; i < 2; ++i) {
