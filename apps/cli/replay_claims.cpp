@@ -124,7 +124,8 @@ std::string case_words(const BracketFindings& found) {
         return fmt::format("{} {}°", pattern_of(run), run.infill_angle);
     };
     return fmt::format(
-        "best {} is {:.1f} % below the worst ({}), {:.1f} % below rectilinear 45°; infill at 45° is "
+        "best {} is {:.1f} % below the worst ({}), {:.1f} % below rectilinear 45°; infill at 45° "
+        "is "
         "worse for {} of {} patterns, 90° better than 0° for {}, part angle 0 lowest for {}; "
         "rectilinear is lowest in {} of {} set-ups",
         name(found.best), 100 * found.below_worst, name(found.worst), 100 * found.below_usual,
