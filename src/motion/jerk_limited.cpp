@@ -158,8 +158,8 @@ class Planning {
         return worst;
     }
 
-    static void add_phases(const Stretch& s, double t, std::vector<Phase>& phases) {
-        Phase at{t, s.start, s.in, 0, 0};
+    static void add_phases(const Stretch& s, double t, std::vector<JerkPhase>& phases) {
+        JerkPhase at{t, s.start, s.in, 0, 0};
         add_ramp(at, s.peak, s.limits, phases);
         const double cruise = s.length() - ramp_distance(s.in, s.peak, s.limits) -
                               ramp_distance(s.peak, s.out, s.limits);
@@ -170,8 +170,8 @@ class Planning {
         phases.push_back(at);
     }
 
-    static void add_ramp(Phase& at, double to, const JerkLimits& limits,
-                         std::vector<Phase>& phases) {
+    static void add_ramp(JerkPhase& at, double to, const JerkLimits& limits,
+                         std::vector<JerkPhase>& phases) {
         const double change = std::abs(to - at.v), sign = to > at.v ? 1 : -1;
         if (change == 0) return;
         const double a = std::min(limits.acceleration, std::sqrt(change * limits.jerk));
@@ -182,7 +182,8 @@ class Planning {
         at.v = to;
     }
 
-    static void add_phase(Phase& at, double t, double a, double j, std::vector<Phase>& phases) {
+    static void add_phase(JerkPhase& at, double t, double a, double j,
+                          std::vector<JerkPhase>& phases) {
         at.a = a;
         at.j = j;
         phases.push_back(at);
@@ -193,16 +194,16 @@ class Planning {
     }
 
     // The state at a place in phases_, from the given phase on.
-    [[nodiscard]] Phase pass(double place, std::size_t& phase) const {
+    [[nodiscard]] JerkPhase pass(double place, std::size_t& phase) const {
         while (phase + 2 < phases_.size() && phases_[phase + 1].s <= place) ++phase;
-        const Phase& p = phases_[phase];
+        const JerkPhase& p = phases_[phase];
         const double way = place - p.s, longest = phases_[phase + 1].t - p.t;
         const double t = time_after(p, way, longest);
         return {p.t + t, place, std::max(0.0, p.v + t * (p.a + t * p.j / 2)), p.a + t * p.j, p.j};
     }
 
     // Newton within brackets.
-    static double time_after(const Phase& p, double way, double longest) {
+    static double time_after(const JerkPhase& p, double way, double longest) {
         if (way <= 0) return 0;
         double low = 0, high = longest;
         double t = p.v > 0 ? std::min(longest, way / p.v) : longest;
@@ -231,7 +232,7 @@ class Planning {
         plan.steady.resize(count_ + 1);
         std::size_t phase = 0;
         for (std::size_t i = 0; i <= count_; ++i) {
-            const Phase at = i == count_ ? phases_.back() : pass(place_[i], phase);
+            const JerkPhase at = i == count_ ? phases_.back() : pass(place_[i], phase);
             plan.speed[i] = at.v;
             plan.time[i] = at.t;
             plan.steady[i] = phases_[phase].a == 0 && phases_[phase].j == 0;
@@ -249,7 +250,7 @@ class Planning {
     std::vector<double> place_, cap_;
     std::vector<Anchor> anchors_;
     std::vector<Stretch> stretches_;
-    std::vector<Phase> phases_;
+    std::vector<JerkPhase> phases_;
 };
 
 }  // namespace

@@ -22,15 +22,15 @@ struct SpeedLimits {                   // of n pieces between n + 1 points
 };
 
 // From time t (s) and place s (mm) on: speed, acceleration and jerk (mm, s).
-struct Phase {
+struct JerkPhase {
     double t = 0, s = 0, v = 0, a = 0, j = 0;
 };
 
 struct SpeedPlan {
-    std::vector<Phase> phases;  // in order; the last one, at the end of the path, lasts no time
-    std::vector<double> speed;  // n + 1, mm/s, at every point
-    std::vector<double> time;   // n + 1, s, at which it is passed
-    std::vector<bool> steady;   // n + 1, whether acceleration is 0 there
+    std::vector<JerkPhase> phases;  // in order; the last one, at the end of the path, lasts no time
+    std::vector<double> speed;      // n + 1, mm/s, at every point
+    std::vector<double> time;       // n + 1, s, at which it is passed
+    std::vector<bool> steady;       // n + 1, whether acceleration is 0 there
 };
 
 // The plan begins with the first point's speed, or the highest below it from which the rest can be

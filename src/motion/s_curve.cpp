@@ -17,7 +17,7 @@ constexpr double no_way = 1e-9;             // mm, below this nothing moves
 constexpr double least_feed = 0.05;         // mm/s; slower is taken as this
 
 enum class Trend { up, level, down };
-Trend trend_of(const Phase& phase) {
+Trend trend_of(const JerkPhase& phase) {
     const double slope = phase.a != 0 ? phase.a : phase.j;
     return slope > 0 ? Trend::up : slope < 0 ? Trend::down : Trend::level;
 }
@@ -30,7 +30,7 @@ void shape(Block& block, const SpeedPlan& plan, std::size_t k, std::size_t& phas
     block.v_peak = std::max(block.v_entry, block.v_exit);
     block.t_accel = block.t_cruise = block.t_decel = 0;
     for (;; ++phase) {
-        const Phase& p = plan.phases[phase];
+        const JerkPhase& p = plan.phases[phase];
         if (p.t > start && p.t < end) block.v_peak = std::max(block.v_peak, p.v);
         const bool last = phase + 1 == plan.phases.size();
         const double until = last ? end : std::min(end, plan.phases[phase + 1].t);

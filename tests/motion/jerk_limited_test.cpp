@@ -34,7 +34,7 @@ SpeedLimits random_limits(unsigned seed, std::size_t count) {
     return limits;
 }
 
-Phase after(const Phase& p, double t) {
+JerkPhase after(const JerkPhase& p, double t) {
     return {p.t + t, p.s + t * (p.v + t * (p.a / 2 + t * p.j / 6)), p.v + t * (p.a + t * p.j / 2),
             p.a + t * p.j, p.j};
 }
@@ -45,8 +45,8 @@ TEST_P(RandomPath, NothingJumpsAndTheWayIsComplete) {
     const SpeedLimits limits = random_limits(GetParam(), 400);
     const SpeedPlan plan = jerk_limited(limits);
     for (std::size_t i = 0; i + 1 < plan.phases.size(); ++i) {
-        const Phase &p = plan.phases[i], &next = plan.phases[i + 1];
-        const Phase end = after(p, next.t - p.t);
+        const JerkPhase &p = plan.phases[i], &next = plan.phases[i + 1];
+        const JerkPhase end = after(p, next.t - p.t);
         ASSERT_NEAR(end.s, next.s, 1e-7) << "phase " << i;
         ASSERT_NEAR(end.v, next.v, 1e-6) << "phase " << i;
         ASSERT_NEAR(end.a, next.a, 1e-5) << "phase " << i;
@@ -67,11 +67,11 @@ TEST_P(RandomPath, NoLimitIsExceeded) {
     for (std::size_t i = 0; i < limits.length.size(); ++i) {  // inside every piece, by sampling
         const double end = place + limits.length[i];
         for (; plan.phases[phase].s < end && phase + 1 < plan.phases.size(); ++phase) {
-            const Phase& p = plan.phases[phase];
+            const JerkPhase& p = plan.phases[phase];
             const double longest = plan.phases[phase + 1].t - p.t;
             ASSERT_LE(std::abs(p.j), limits.jerk * (1 + 1e-12));
             for (int sample = 0; sample <= 10; ++sample) {
-                const Phase at = after(p, longest * sample / 10);
+                const JerkPhase at = after(p, longest * sample / 10);
                 if (at.s <= place + 1e-9 || at.s >= end - 1e-9) continue;
                 ASSERT_LE(at.v, limits.speed[i] * (1 + 1e-7)) << "piece " << i;
                 ASSERT_LE(std::abs(at.a), limits.acceleration[i] * (1 + 1e-7)) << "piece " << i;
