@@ -38,14 +38,19 @@ bool Decimator::add(std::complex<double> value) {
     return seen_ > delay() && (seen_ - 1 - delay()) % ratio_ == 0;
 }
 
+// Taps are the same both ways from the middle; two sums at a time keep the processor busy.
 std::complex<double> Decimator::value() const {
     const std::complex<double>* const oldest = ring_.data() + seen_ % taps_.size();
-    double x = 0, y = 0;
-    for (std::size_t k = 0; k < taps_.size(); ++k) {
-        x += taps_[k] * oldest[k].real();
-        y += taps_[k] * oldest[k].imag();
+    const std::complex<double>* const newest = oldest + taps_.size() - 1;
+    const std::size_t half = taps_.size() / 2;
+    std::complex<double> even = taps_[half] * oldest[half], odd;
+    std::size_t k = 0;
+    for (; k + 1 < half; k += 2) {
+        even += taps_[k] * (oldest[k] + *(newest - k));
+        odd += taps_[k + 1] * (oldest[k + 1] + *(newest - k - 1));
     }
-    return {x, y};
+    if (k < half) even += taps_[k] * (oldest[k] + *(newest - k));
+    return even + odd;
 }
 
 }  // namespace bead

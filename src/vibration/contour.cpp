@@ -48,28 +48,22 @@ void Contour::forget() {
     first_ = 0;
 }
 
-void ErrorStatistics::add(double value) {
+void Percentiles::add(double value) {
     const std::size_t bin = bin_of(value);
     if (bin >= bins_.size()) bins_.resize(bin + 1);
     ++bins_[bin];
-    least_ = count_ == 0 ? value : std::min(least_, value);
-    most_ = std::max(most_, value);
-    sum_ += value;
     ++count_;
 }
 
-double ErrorStatistics::mean() const { return count_ == 0 ? 0 : sum_ / double(count_); }
-double ErrorStatistics::least() const { return least_; }
-
-double ErrorStatistics::percentile(double part) const {
+double Percentiles::at(double part) const {
     const double wanted = part * double(count_);
     double seen = 0;
     for (std::size_t i = 0; i < bins_.size(); ++i) {
         seen += double(bins_[i]);
         if (seen >= wanted && seen > 0)
-            return std::min(most_, finest * std::exp((double(i) + 0.5) * std::log1p(fineness)));
+            return finest * std::exp((double(i) + 0.5) * std::log1p(fineness));
     }
-    return most_;
+    return 0;
 }
 
 }  // namespace bead

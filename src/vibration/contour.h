@@ -25,19 +25,34 @@ class Contour {
     std::size_t first_ = 0;  // point from which the window may begin
 };
 
-// Of values that come one by one: mean, largest, and the value that 99 % do not exceed, to 0.1 %.
-class ErrorStatistics {
+// Of values that come one by one.
+class Extremes {
+  public:
+    void add(double value) {
+        least_ = count_ == 0 || value < least_ ? value : least_;
+        most_ = value > most_ ? value : most_;
+        sum_ += value;
+        ++count_;
+    }
+    [[nodiscard]] double mean() const { return count_ == 0 ? 0 : sum_ / double(count_); }
+    [[nodiscard]] double least() const { return least_; }
+    [[nodiscard]] double most() const { return most_; }
+    [[nodiscard]] std::size_t count() const { return count_; }
+
+  private:
+    std::size_t count_ = 0;
+    double sum_ = 0, most_ = 0, least_ = 0;
+};
+
+// The value that a part of all do not exceed, to 0.1 %.
+class Percentiles {
   public:
     void add(double value);
-    [[nodiscard]] double mean() const;
-    [[nodiscard]] double most() const { return most_; }
-    [[nodiscard]] double least() const;
-    [[nodiscard]] double percentile(double part) const;
+    [[nodiscard]] double at(double part) const;
 
   private:
     std::vector<std::size_t> bins_;  // by logarithm
     std::size_t count_ = 0;
-    double sum_ = 0, most_ = 0, least_ = 0;
 };
 
 }  // namespace bead

@@ -45,8 +45,6 @@ DriveMotion::DriveMotion(const DriveAxis& axis, double step, double start)
     } else {
         stages_.push_back(stage_at(screw.nut_distance));
     }
-    re_.resize(stages_.front().lanes.size());
-    im_.resize(re_.size());
     if (screw.coupling_at) follow(start);
 }
 
@@ -58,23 +56,23 @@ DriveMotion::Stage DriveMotion::stage_at(double nut_distance) const {
     const auto rows = seen_rows(loop);
     Stage stage;
     stage.modes = linear_modes(loop.matrix, 2 * drive_order);
-    for (const LinearMode& mode : stage.modes) {
+    for (std::size_t m = 0; m < stage.modes.size(); ++m) {
+        const LinearMode& mode = stage.modes[m];
         const Complex in = std::inner_product(loop.input.begin(), loop.input.end(),
                                               mode.weights.begin(), Complex{});
         const Complex l = mode.eigenvalue, e = std::exp(l * step_), f = (e - 1.0) / l;
         const Complex g = (f - step_) / (l * step_);
         const Complex drive_by = in * (f - g + e * g);
-        Lane& lane = stage.lanes.emplace_back();
-        lane.decay_re = e.real();
-        lane.decay_im = e.imag();
-        lane.drive_re = drive_by.real();
-        lane.drive_im = drive_by.imag();
+        stage.decay_re[m] = e.real();
+        stage.decay_im[m] = e.imag();
+        stage.drive_re[m] = drive_by.real();
+        stage.drive_im[m] = drive_by.imag();
         stage.lead.push_back(in * g);
-        for (std::size_t k = 0; k < rows.size(); ++k) {
+        for (std::size_t k = 0; k < quantities; ++k) {
             const Complex seen =
                 std::inner_product(rows[k].begin(), rows[k].end(), mode.shape.begin(), Complex{});
-            lane.seen_re[k] = seen.real();
-            lane.seen_im[k] = -seen.imag();
+            stage.seen_re[k][m] = seen.real();
+            stage.seen_im[k][m] = -seen.imag();
             stage.direct[k] += (seen * in * g).real();
         }
     }
@@ -88,16 +86,15 @@ void DriveMotion::follow(double place) {
     if (std::abs(index - double(now_)) < 0.6) return;
     const Stage& from = stages_[now_];
     std::array<double, 2 * drive_order> state{};
-    for (std::size_t k = 0; k < re_.size(); ++k) {
+    for (std::size_t k = 0; k < from.modes.size(); ++k) {
         const Complex z = Complex(re_[k], im_[k]) + last_input_ * from.lead[k];
         for (std::size_t i = 0; i < state.size(); ++i)
             state[i] += (from.modes[k].shape[i] * z).real();
     }
     now_ = std::size_t(std::lround(index));
     const Stage& to = stages_[now_];
-    re_.assign(to.lanes.size(), 0);
-    im_.assign(to.lanes.size(), 0);
-    for (std::size_t k = 0; k < re_.size(); ++k) {
+    re_ = im_ = {};
+    for (std::size_t k = 0; k < to.modes.size(); ++k) {
         const Complex z =
             std::inner_product(state.begin(), state.end(), to.modes[k].weights.begin(), Complex{}) -
             last_input_ * to.lead[k];
@@ -106,22 +103,33 @@ void DriveMotion::follow(double place) {
     }
 }
 
+template <std::size_t lanes>
+auto DriveMotion::pass(double input) -> std::array<double, quantities> {
+    const Stage& stage = stages_[now_];
+    std::array<std::array<double, lanes>, quantities> shown;
+    for (std::size_t k = 0; k < quantities; ++k)
+        for (std::size_t m = 0; m < lanes; ++m)
+            shown[k][m] = stage.seen_re[k][m] * re_[m] + stage.seen_im[k][m] * im_[m];
+    for (std::size_t m = 0; m < lanes; ++m) {
+        const double re = re_[m], im = im_[m];
+        re_[m] = stage.decay_re[m] * re - stage.decay_im[m] * im + stage.drive_re[m] * input;
+        im_[m] = stage.decay_im[m] * re + stage.decay_re[m] * im + stage.drive_im[m] * input;
+    }
+    std::array<double, quantities> seen{};
+    for (std::size_t k = 0; k < quantities; ++k) {
+        seen[k] = stage.direct[k] * input;
+        for (std::size_t m = 0; m < lanes; ++m) seen[k] += shown[k][m];
+    }
+    return seen;
+}
+
 DriveSample DriveMotion::move(double before, double command, double after) {
     const double angle = (command - start_) * mm / ratio_;
     const double speed = (after - before) * mm / (2 * step_ * ratio_);
     const double change = (after - 2 * command + before) * mm / (step_ * step_ * ratio_);
     const double input = kp_ * angle + kd_ * speed + inertia_ * change;
-    const Stage& stage = stages_[now_];
-    std::array<double, 4> seen{};
-    for (std::size_t k = 0; k < seen.size(); ++k) seen[k] = stage.direct[k] * input;
-    for (std::size_t m = 0; m < re_.size(); ++m) {
-        const Lane& lane = stage.lanes[m];
-        const double re = re_[m], im = im_[m];
-        for (std::size_t k = 0; k < seen.size(); ++k)
-            seen[k] += lane.seen_re[k] * re + lane.seen_im[k] * im;
-        re_[m] = lane.decay_re * re - lane.decay_im * im + lane.drive_re * input;
-        im_[m] = lane.decay_im * re + lane.decay_re * im + lane.drive_im * input;
-    }
+    const bool all_swing = stages_[now_].modes.size() <= drive_order;
+    const auto seen = all_swing ? pass<drive_order>(input) : pass<most_lanes>(input);
     last_input_ = input;
     if (axis_.screw.coupling_at) follow(command);
     return {start_ + seen[0] / mm, seen[1] / mm, input - kp_ * seen[2] - kd_ * seen[3], seen[3]};

@@ -26,20 +26,21 @@ class DriveMotion {
     DriveSample move(double before, double command, double after);
 
   private:
-    // One per mode: z' = λz + g·u over a step, and what it shows of the axis. Split in real and
-    // imaginary parts for speed.
-    struct Lane {
-        double decay_re = 0, decay_im = 0, drive_re = 0, drive_im = 0;
-        std::array<double, 4> seen_re{}, seen_im{};
-    };
+    // One lane per mode: z' = λz + g·u over a step, and what it shows of the axis. Real and
+    // imaginary parts lie apart and lanes side by side, for speed; 6 lanes if every mode swings.
+    static constexpr std::size_t most_lanes = 2 * drive_order, quantities = 4;
+    using Lanes = std::array<double, most_lanes>;
     struct Stage {  // with the nut at one place
-        std::vector<Lane> lanes;
-        std::array<double, 4> direct{};  // what the command shows at once
+        Lanes decay_re{}, decay_im{}, drive_re{}, drive_im{};
+        std::array<Lanes, quantities> seen_re{}, seen_im{};
+        std::array<double, quantities> direct{};  // what the command shows at once
         std::vector<LinearMode> modes;
         std::vector<std::complex<double>> lead;  // of a unit command, per mode
     };
     [[nodiscard]] Stage stage_at(double nut_distance) const;
     void follow(double place);
+    template <std::size_t lanes>
+    auto pass(double input) -> std::array<double, quantities>;
 
     DriveAxis axis_;
     double step_, start_;
@@ -47,7 +48,7 @@ class DriveMotion {
     std::vector<Stage> stages_;
     std::size_t now_ = 0;
     double first_nut_ = 0;  // m, the nut's distance in the first stage
-    std::vector<double> re_, im_;
+    Lanes re_{}, im_{};
     double last_input_ = 0;
 };
 

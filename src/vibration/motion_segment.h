@@ -8,8 +8,8 @@ namespace bead {
 
 struct MotionSegment {
     double duration = 0;  // s
-    Vec2 from{};            // mm
-    Vec2 direction{};       // unit vector; (0, 0) while the head stands still
+    Vec2 from{};          // mm
+    Vec2 direction{};     // unit vector; (0, 0) while the head stands still
     double length = 0;    // mm
     double speed = 0, acceleration = 0, jerk = 0;  // mm/s, mm/s², mm/s³, at its start
     double nominal = 0;                            // mm/s, speed asked for

@@ -9,7 +9,7 @@
 namespace bead {
 
 struct Piece {
-    Vec2 from{}, to{};            // mm, apart
+    Vec2 from{}, to{};        // mm, apart
     double feed = 0;          // mm/s, above 0
     double acceleration = 0;  // mm/s², most; 0: as the law says
     double flow = 0;          // mm³ of melt per mm of way; 0: travel

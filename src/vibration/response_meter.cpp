@@ -50,7 +50,8 @@ struct ResponseMeter::State {
     double printing = 0, off = 0, volume = 0;
 
     Contour contour{};
-    ErrorStatistics deviation{}, error{};
+    Extremes deviation{}, error{};
+    Percentiles errors{};
     Shaking shaking;
     DriveEnergy energy{};
 
@@ -141,7 +142,10 @@ struct ResponseMeter::State {
 
     void judge(Vec2 asked, Vec2 nozzle, double at, std::size_t index) {
         deviation.add(distance(asked, nozzle));
-        if (index % contour_every == 0) error.add(contour.error(nozzle, at));
+        if (index % contour_every != 0) return;
+        const double off_path = contour.error(nozzle, at);
+        error.add(off_path);
+        errors.add(off_path);
     }
 
     void forget(std::size_t count) {
@@ -176,7 +180,8 @@ Response ResponseMeter::finish() {
 
     s.shaking.report(response);
     response.deviation = {s.deviation.least(), s.deviation.mean(), s.deviation.most()};
-    response.contour = {s.error.mean(), s.error.percentile(0.99), s.error.most()};
+    response.contour = {s.error.mean(), std::min(s.error.most(), s.errors.at(0.99)),
+                        s.error.most()};
     response.volume = s.volume;
     response.printing = s.printing;
     response.off_nominal = s.printing > 0 ? s.off / s.printing : 0;
