@@ -14,6 +14,7 @@
 #include "job/motor_table.h"
 #include "job/one_line.h"
 #include "job/toml_reader.h"
+#include "job/vibration_table.h"
 
 namespace bead {
 
@@ -101,7 +102,8 @@ PrinterFile read_printer(const DataFile& data, const Basis& basis) {
     read.says.limits = stated_limits(file);
     for (const StatedLimit& limit : read.says.limits)
         named_limit(limit.name).put(printer.limits, limit.axis, limit.value);
-    file.ignore("vibration");
+    printer.vibration = read_vibration(file, printer.vibration);
+    printer.vibration.energy_co2 = printer.power.grid_co2 / 1000;
     file.finish();
     return read;
 }

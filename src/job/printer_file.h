@@ -20,9 +20,9 @@ struct PrinterFile {
 };
 
 // What ends in .toml, .cfg (Klipper), .txt or .log (Marlin) is a file, anything else a built-in
-// name. A key that a PRINTER.toml leaves out has the value of prusa-mk3s; [vibration] is accepted
-// and not read. Throws Error: usage for an unknown name, input for a file that says something
-// wrong.
+// name. A key that a PRINTER.toml leaves out has the value of prusa-mk3s; of [vibration], if the
+// file has that table, the value of the example machine (machine/vibration.h). Throws Error: usage
+// for an unknown name, input for a file that says something wrong.
 PrinterFile read_printer_file(const std::string& name_or_file);
 Printer load_printer(const std::string& name_or_file);
 

@@ -1,4 +1,5 @@
-// One printer: its room, its nozzle, what its firmware allows and what it draws.
+// One printer: its room, its nozzle, what its firmware allows, what it draws, how it
+// shakes.
 #pragma once
 #include <array>
 #include <string>
@@ -7,6 +8,7 @@
 #include "machine/kinematics.h"
 #include "machine/limits.h"
 #include "machine/power.h"
+#include "machine/vibration.h"
 
 namespace bead {
 
@@ -19,6 +21,7 @@ struct Printer {
     double filament = 1.75;                    // mm, diameter
     Limits limits;
     PowerModel power;
+    VibrationModel vibration;
 };
 
 // mm, in the printer's own coordinates.

@@ -139,7 +139,7 @@ DriveAxis with_mode(DriveAxis axis, const DriveMode& measured) {
         axis.flexure *= stretch * stretch;
         axis.flexure_damping =
             std::max(0.0, axis.flexure_damping + measured.damping - mode.damping);
-        if (std::abs(stretch - 1) < 1e-12) break;
+        if (std::abs(stretch - 1) < 1e-9 && std::abs(mode.damping - measured.damping) < 1e-9) break;
     }
     return axis;
 }

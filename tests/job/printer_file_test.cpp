@@ -39,7 +39,8 @@ arc_resolution_mm = 0.5
 drop_segments_steps = 0
 slowdown = true
 [vibration]
-modes = [{anything = 1}]
+frequency_hz = [9, 13]
+damping_ratio = [0.03, 0.05]
 )";
 
 std::string complaint(const std::string& text) {
