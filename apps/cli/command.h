@@ -12,6 +12,7 @@ void add_energy(CLI::App& app);
 void add_post_process(CLI::App& app);
 void add_calibrate(CLI::App& app);
 void add_replay(CLI::App& app);
+void add_vibration(CLI::App& app);
 void add_printers(CLI::App& app);
 void add_patterns(CLI::App& app);
 void add_config(CLI::App& app);

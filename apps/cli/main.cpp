@@ -62,6 +62,7 @@ int main(int argc, char** argv) {
     bead::cli::add_post_process(app);
     bead::cli::add_calibrate(app);
     bead::cli::add_replay(app);
+    bead::cli::add_vibration(app);
     bead::cli::add_printers(app);
     bead::cli::add_patterns(app);
     bead::cli::add_config(app);

@@ -121,15 +121,15 @@ void timed(std::span<const Piece> pieces, const TimeLaw& law, const SegmentSink&
 
 void Timing::add(const Piece& piece) {
     window_.push_back(piece);
+    at_ = piece.to;
     if (window_.size() >= full_) release(false);
 }
 
 void Timing::stand(double duration) {
     release(true);
-    if (duration > 0)
-        sink_({.duration = duration, .from = window_.empty() ? Vec2{} : window_.back().to});
     window_.clear();
     gone_ = 0;
+    if (duration > 0) sink_({.duration = duration, .from = at_});
 }
 
 void Timing::release(bool all) {

@@ -37,6 +37,7 @@ class Timing {
     std::vector<Piece> window_;
     std::size_t gone_ = 0;  // first pieces of the window that are told, kept for their bend
     double entry_ = 0;      // mm/s, at which the others begin
+    Vec2 at_;               // mm, where the path ends as far as it is known
     std::size_t full_ = usual_window;
     static constexpr std::size_t usual_window = 4096;
 };
