@@ -1,0 +1,16 @@
+// How far one line strays from another: the one-sided Hausdorff distance, largest over the points
+// of `line` of the distance to `reference` (both open lines). To measure against a curve, flatten
+// it first, ten times finer than what is to be measured.
+#pragma once
+#include "geom/polygon.h"
+
+namespace bead {
+
+// mm. Corners of `line` and points between them at most `step` (mm) apart are looked at; between
+// two of these it may stray farther by at most step / 2. Neither line may be empty.
+double deviation(const Polyline& line, const Polyline& reference, double step = 0.1);
+
+// Of one point from a line.
+double line_distance(const Polyline& line, Vec2 point);
+
+}  // namespace bead
