@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "console.h"
 #include "json_result.h"
 #include "vibration/drive.h"
 #include "vibration/response.h"
