@@ -19,10 +19,13 @@ struct Anchor {
     double v = 0;
 };
 
-struct Stretch {                // between two anchors
-    double start = 0, end = 0;  // mm
+struct Stretch {                   // between two anchors
+    std::size_t from = 0, to = 0;  // their points
+    double start = 0, end = 0;     // mm
     double in = 0, peak = 0, out = 0;
+    double fastest = 0;  // of its pieces' limits of speed
     JerkLimits limits;
+    bool known = false, obeys = false;  // peak is that of in and out; no point's limit is exceeded
     [[nodiscard]] double length() const { return end - start; }
 };
 
@@ -40,12 +43,14 @@ class Planning {
 
     SpeedPlan plan() {
         find_anchors();
+        make_stretches();
         refine();
         // Anchors that turned out slower than they may be need not be places of rest.
         std::erase_if(anchors_, [&](const Anchor& anchor) {
             return anchor.point != 0 && anchor.point != count_ &&
                    anchor.v < cap_[anchor.point] * (1 - tolerance);
         });
+        make_stretches();
         refine();
         return told();
     }
@@ -74,6 +79,25 @@ class Planning {
         return std::sqrt(v * v + 2 * limits_.acceleration[piece] * limits_.length[piece]);
     }
 
+    [[nodiscard]] Stretch stretch(std::size_t from, std::size_t to) const {
+        const auto acceleration = limits_.acceleration.begin(), speed = limits_.speed.begin();
+        const auto first = std::ptrdiff_t(from), last = std::ptrdiff_t(to);
+        Stretch s;
+        s.from = from;
+        s.to = to;
+        s.start = place_[from];
+        s.end = place_[to];
+        s.limits = {*std::min_element(acceleration + first, acceleration + last), limits_.jerk};
+        s.fastest = *std::max_element(speed + first, speed + last);
+        return s;
+    }
+
+    void make_stretches() {
+        stretches_.clear();
+        for (std::size_t i = 0; i + 1 < anchors_.size(); ++i)
+            stretches_.push_back(stretch(anchors_[i].point, anchors_[i + 1].point));
+    }
+
     void refine() {
         do {
             level_anchors();
@@ -82,20 +106,19 @@ class Planning {
 
     // Every anchor at its limit, lowered to what the ramps from its neighbours can reach.
     void level_anchors() {
-        stretches_.resize(anchors_.size() - 1);
         for (Anchor& anchor : anchors_) anchor.v = cap_[anchor.point];
-        for (std::size_t i = 0; i < stretches_.size(); ++i) {
-            const auto first = limits_.acceleration.begin();
-            Stretch& s = stretches_[i];
-            s.start = place_[anchors_[i].point];
-            s.end = place_[anchors_[i + 1].point];
-            s.limits = {*std::min_element(first + std::ptrdiff_t(anchors_[i].point),
-                                          first + std::ptrdiff_t(anchors_[i + 1].point)),
-                        limits_.jerk};
-        }
         for (std::size_t i = 0; i < stretches_.size(); ++i) limit(anchors_[i + 1], anchors_[i], i);
         for (std::size_t i = stretches_.size(); i-- > 0;) limit(anchors_[i], anchors_[i + 1], i);
-        for (std::size_t i = 0; i < stretches_.size(); ++i) set_peak(i);
+        for (std::size_t i = 0; i < stretches_.size(); ++i) {
+            Stretch& s = stretches_[i];
+            const double in = anchors_[i].v, out = anchors_[i + 1].v;
+            if (s.known && s.in == in && s.out == out) continue;
+            s.in = in;
+            s.out = out;
+            set_peak(s);
+            s.known = true;
+            s.obeys = false;
+        }
     }
 
     void limit(Anchor& anchor, const Anchor& from, std::size_t stretch) const {
@@ -104,13 +127,9 @@ class Planning {
     }
 
     // As fast as the stretch allows, but no faster than the piece on which it is fastest.
-    void set_peak(std::size_t stretch) {
-        Stretch& s = stretches_[stretch];
-        const std::size_t from = anchors_[stretch].point, to = anchors_[stretch + 1].point;
-        s.in = anchors_[stretch].v;
-        s.out = anchors_[stretch + 1].v;
-        double cap = *std::max_element(limits_.speed.begin() + std::ptrdiff_t(from),
-                                       limits_.speed.begin() + std::ptrdiff_t(to));
+    void set_peak(Stretch& s) const {
+        const std::size_t from = s.from, to = s.to;
+        double cap = s.fastest;
         for (int round = 0; round < 6; ++round) {
             s.peak = peak_speed(s.in, s.out, s.length(), cap, s.limits);
             const double top = s.start + ramp_distance(s.in, s.peak, s.limits);
@@ -129,22 +148,30 @@ class Planning {
 
     // In every stretch the slowest point whose limit is exceeded; false if there is none.
     bool add_anchors() {
-        std::vector<Anchor> anchors;
-        for (std::size_t i = 0; i < stretches_.size(); ++i) {
-            anchors.push_back(anchors_[i]);
-            const std::size_t point = worst_point(i);
-            if (point != 0) anchors.push_back({point, 0});
+        std::vector<Anchor> anchors{anchors_.front()};
+        std::vector<Stretch> stretches;
+        for (Stretch& s : stretches_) {
+            const std::size_t point = s.obeys ? 0 : worst_point(s);
+            if (point == 0) {
+                s.obeys = true;
+                stretches.push_back(s);
+            } else {
+                stretches.push_back(stretch(s.from, point));
+                stretches.push_back(stretch(point, s.to));
+                anchors.push_back({point, 0});
+            }
+            anchors.push_back({s.to, 0});
         }
-        anchors.push_back(anchors_.back());
         const bool added = anchors.size() > anchors_.size();
+        if (!added) return false;
         anchors_.swap(anchors);
-        return added;
+        stretches_.swap(stretches);
+        return true;
     }
 
-    std::size_t worst_point(std::size_t stretch) {
-        const std::size_t from = anchors_[stretch].point, to = anchors_[stretch + 1].point;
+    std::size_t worst_point(const Stretch& s) {
+        const std::size_t from = s.from, to = s.to;
         if (to - from < 2) return 0;
-        const Stretch& s = stretches_[stretch];
         phases_.clear();
         add_phases(s, 0, phases_);
         const double middle = (s.start + s.end) / 2;
