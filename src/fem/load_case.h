@@ -10,11 +10,11 @@
 namespace bead {
 
 struct SolidMaterial {
-    double young = 2200;               // MPa
+    double young = 2200;  // MPa
     double poisson = 0.35;
-    double tensile = 35;               // MPa, strength
-    double compressive = 52;           // MPa, strength, positive
-    double density = 1.04;             // g/cm³
+    double tensile = 35;      // MPa, strength
+    double compressive = 52;  // MPa, strength, positive
+    double density = 1.04;    // g/cm³
 };
 
 struct Circle {

@@ -1,8 +1,8 @@
-// A case's supports and loads put on the nodes of a pixel grid. A load's traction is integrated over
-// its stretch of the boundary; each piece of it goes to the nearest solid pixel's nodes by that
-// pixel's shape functions, so that on a boundary along the grid it is the consistent load and
+// A case's supports and loads put on the nodes of a pixel grid. A load's traction is integrated
+// over its stretch of the boundary; each piece of it goes to the nearest solid pixel's nodes by
+// that pixel's shape functions, so that on a boundary along the grid it is the consistent load and
 // anywhere the resultant is exact. A support holds the nodes whose share of the stretch is at least
-// half of what a node on a straight side would have.
+// a quarter of a pixel's side; one without length holds the nearest node.
 #pragma once
 #include <optional>
 

@@ -1,7 +1,7 @@
 // An elastic sheet on a grid of pixels (Q4 squares with exact integrals): what is solid, how stiff
 // each pixel is, and which nodes are held. The immersed model of everything that is printed.
-// Unknowns are numbered 2 * node (x) and 2 * node + 1 (y) over all nodes of the grid; those of nodes
-// that touch no solid pixel stay 0.
+// Unknowns are numbered 2 * node (x) and 2 * node + 1 (y) over all nodes of the grid; those of
+// nodes that touch no solid pixel stay 0.
 #pragma once
 #include <cstdint>
 #include <span>

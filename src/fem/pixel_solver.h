@@ -1,6 +1,6 @@
-// A prepared solver for pixel models: factor once (multifrontal Cholesky, numeric/frontal_cholesky.h),
-// then solve for as many load vectors as there are. For up to a few 100 000 unknowns; for larger
-// solid ones see fem/pixel_multigrid.h.
+// A prepared solver for pixel models: factor once (multifrontal Cholesky,
+// numeric/frontal_cholesky.h), then solve for as many load vectors as there are. For up to a few
+// 100 000 unknowns; for larger solid ones see fem/pixel_multigrid.h.
 //
 //     const PixelSolver solver(model, held);
 //     const Displacement u = solver.solve(load);
@@ -37,6 +37,8 @@ class PixelSolver {
     [[nodiscard]] std::size_t fill() const;
 
     [[nodiscard]] Displacement solve(std::span<const double> load) const;
+    // The same without a look at the residual.
+    [[nodiscard]] PixelVector solve_only(std::span<const double> load) const;
     // Solves another model on the same grid with the same supports by conjugate gradients with this
     // factor as preconditioner: a few iterations if few pixels differ. Not converged where too many
     // do; factor anew then.

@@ -1,0 +1,219 @@
+#include "numeric/elimination.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+namespace bead {
+namespace {
+
+constexpr std::size_t leaf = 20;  // points; fewer cost more in book-keeping than they save
+
+// Where a point is during the recursion: in the part being cut, on its far side, or in no part any
+// more because it is in a separator above.
+enum Side : std::uint8_t { near, far, taken };
+
+struct Part {
+    std::vector<int> points, elements;
+};
+
+struct Cut {
+    int axis = 0;
+    float at = 0;
+    std::size_t separator = std::numeric_limits<std::size_t>::max();
+};
+
+class Dissection {
+  public:
+    explicit Dissection(const ElementPattern& pattern)
+        : pattern_(pattern), side_(pattern.places.size(), taken) {}
+
+    // The fronts of the part, its root last.
+    int dissect(Part part, std::vector<Front>& fronts);
+
+  private:
+    [[nodiscard]] std::span<const int> points_of(int element) const {
+        const auto count = std::size_t(pattern_.points_per_element);
+        return std::span(pattern_.points).subspan(std::size_t(element) * count, count);
+    }
+    [[nodiscard]] float coordinate(int point, int axis) const {
+        return pattern_.places[std::size_t(point)][std::size_t(axis)];
+    }
+    [[nodiscard]] int longest_axis(const Part& part) const;
+    [[nodiscard]] std::vector<float> candidates(const Part& part, int axis) const;
+    void divide(const Part& part, int axis, float at);
+    std::size_t separator_size(const Part& part);
+    std::vector<int> take_separator(const Part& part);
+    Part half(const Part& part, Side side) const;
+
+    const ElementPattern& pattern_;
+    std::vector<std::uint8_t> side_;
+};
+
+int Dissection::longest_axis(const Part& part) const {
+    int longest = 0;
+    float most = -1;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto [low, high] = std::ranges::minmax_element(
+            part.points, {}, [&](int point) { return coordinate(point, axis); });
+        const float extent = coordinate(*high, axis) - coordinate(*low, axis);
+        if (extent <= most) continue;
+        most = extent;
+        longest = axis;
+    }
+    return longest;
+}
+
+// Near the median; where the part is thin, a cut beside it is smaller.
+std::vector<float> Dissection::candidates(const Part& part, int axis) const {
+    std::vector<float> at(part.points.size());
+    std::ranges::transform(part.points, at.begin(),
+                           [&](int point) { return coordinate(point, axis); });
+    std::vector<float> places;
+    for (const double share : {0.5, 0.42, 0.58}) {
+        const auto middle = at.begin() + std::ptrdiff_t(share * double(at.size()));
+        std::nth_element(at.begin(), middle, at.end());
+        places.push_back(*middle);
+    }
+    return places;
+}
+
+void Dissection::divide(const Part& part, int axis, float at) {
+    for (const int point : part.points)
+        side_[std::size_t(point)] = coordinate(point, axis) < at ? near : far;
+}
+
+// Counts the far points of elements that the cut goes through, each once.
+std::size_t Dissection::separator_size(const Part& part) {
+    std::size_t size = 0;
+    const std::vector<int> points = take_separator(part);
+    size = points.size();
+    for (const int point : points) side_[std::size_t(point)] = far;
+    return size;
+}
+
+std::vector<int> Dissection::take_separator(const Part& part) {
+    std::vector<int> separator;
+    for (const int element : part.elements) {
+        bool is_near = false, is_far = false;
+        for (const int point : points_of(element)) {
+            is_near |= side_[std::size_t(point)] == near;
+            is_far |= side_[std::size_t(point)] == far;
+        }
+        if (!is_near || !is_far) continue;
+        for (const int point : points_of(element))
+            if (side_[std::size_t(point)] == far) separator.push_back(point);
+    }
+    std::ranges::sort(separator);
+    separator.erase(std::ranges::unique(separator).begin(), separator.end());
+    for (const int point : separator) side_[std::size_t(point)] = taken;
+    return separator;
+}
+
+Part Dissection::half(const Part& part, Side side) const {
+    Part result;
+    for (const int point : part.points)
+        if (side_[std::size_t(point)] == side) result.points.push_back(point);
+    for (const int element : part.elements)
+        if (std::ranges::any_of(points_of(element),
+                                [&](int point) { return side_[std::size_t(point)] == side; }))
+            result.elements.push_back(element);
+    return result;
+}
+
+int Dissection::dissect(Part part, std::vector<Front>& fronts) {
+    Front root;
+    std::vector<int> children;
+    Part halves[2];
+    if (part.points.size() > leaf) {
+        const int axis = longest_axis(part);
+        Cut best;
+        for (const float at : candidates(part, axis)) {
+            divide(part, axis, at);
+            const std::size_t size = separator_size(part);
+            if (size < best.separator) best = {axis, at, size};
+        }
+        divide(part, best.axis, best.at);
+        root.own = take_separator(part);
+        halves[0] = half(part, near);
+        halves[1] = half(part, far);
+    }
+    // Elements that lie wholly between points of the separator stay with it.
+    if (halves[0].points.empty() || halves[1].points.empty()) {
+        root.own = part.points;
+        for (Part& empty : halves) empty = {};
+    }
+    part = {};
+    for (Part& piece : halves) {
+        if (piece.points.empty()) continue;
+        for (const int point : piece.points) side_[std::size_t(point)] = taken;
+        children.push_back(dissect(std::move(piece), fronts));
+    }
+    const int place = int(fronts.size());
+    for (const int child : children) fronts[std::size_t(child)].parent = place;
+    root.children = int(children.size());
+    fronts.push_back(std::move(root));
+    return place;
+}
+
+// Which elements each front adds up and which points it hands on.
+void complete(EliminationTree& tree) {
+    const ElementPattern& pattern = tree.pattern;
+    std::vector<int> order(pattern.places.size(), -1), front_of(pattern.places.size(), -1);
+    int next = 0;
+    for (std::size_t f = 0; f < tree.fronts.size(); ++f)
+        for (const int point : tree.fronts[f].own) {
+            order[std::size_t(point)] = next++;
+            front_of[std::size_t(point)] = int(f);
+        }
+    const auto earlier = [&](int a, int b) {
+        return order[std::size_t(a)] < order[std::size_t(b)];
+    };
+    const auto count = std::size_t(pattern.points_per_element);
+    for (std::size_t e = 0; e * count < pattern.points.size(); ++e) {
+        const auto points = std::span(pattern.points).subspan(e * count, count);
+        const int first = *std::ranges::min_element(points, earlier);
+        tree.fronts[std::size_t(front_of[std::size_t(first)])].elements.push_back(int(e));
+    }
+    std::vector<int> seen(pattern.places.size(), -1);
+    for (std::size_t f = 0; f < tree.fronts.size(); ++f) {
+        Front& front = tree.fronts[f];
+        for (const int point : front.own) seen[std::size_t(point)] = int(f);
+        const auto touch = [&](int point) {
+            if (seen[std::size_t(point)] == int(f)) return;
+            seen[std::size_t(point)] = int(f);
+            front.border.push_back(point);
+        };
+        for (const int e : front.elements)
+            for (const int point : std::span(pattern.points).subspan(std::size_t(e) * count, count))
+                touch(point);
+        for (std::size_t c = f, left = std::size_t(front.children); left > 0;) {
+            --c;
+            if (tree.fronts[c].parent != int(f)) continue;
+            --left;
+            std::ranges::for_each(tree.fronts[c].border, touch);
+        }
+        std::ranges::sort(front.border, earlier);
+    }
+}
+
+}  // namespace
+
+EliminationTree elimination_tree(ElementPattern pattern) {
+    EliminationTree tree{std::move(pattern), {}};
+    Part all;
+    std::vector<std::uint8_t> used(tree.pattern.places.size(), 0);
+    for (const int point : tree.pattern.points) used[std::size_t(point)] = 1;
+    for (std::size_t i = 0; i < used.size(); ++i)
+        if (used[i] != 0) all.points.push_back(int(i));
+    const auto elements = tree.pattern.points.size() / std::size_t(tree.pattern.points_per_element);
+    for (std::size_t e = 0; e < elements; ++e) all.elements.push_back(int(e));
+    if (all.points.empty()) return tree;
+    Dissection(tree.pattern).dissect(std::move(all), tree.fronts);
+    complete(tree);
+    return tree;
+}
+
+}  // namespace bead
