@@ -97,6 +97,7 @@ MatrixXd FrontalCholesky::Panels::eliminate(std::size_t place, MatrixXd& sum) {
     const Front& front = tree.fronts[place];
     const Index own = Index(front.own.size()) * per_point();
     const Index rest = sum.rows() - own;
+    if (own == 0) return std::move(sum);  // halves that do not touch
     const VectorXd before = sum.diagonal().head(own);
     Eigen::Ref<MatrixXd> block = sum.topLeftCorner(own, own);
     const Eigen::LLT<Eigen::Ref<MatrixXd>> factored(block);
@@ -189,6 +190,7 @@ std::vector<double> FrontalCholesky::solve(std::span<const double> right_side) c
     for (std::size_t i = 0; i < held.size(); ++i)
         if (held[i] != 0) x(Index(i)) = 0;
     for (std::size_t f = 0; f < panels.size(); ++f) {
+        if (tree.fronts[f].own.empty()) continue;
         VectorXd own = panels_->gathered(tree.fronts[f].own, x);
         panels[f].triangle.triangularView<Eigen::Lower>().solveInPlace(own);
         panels_->scatter(tree.fronts[f].own, own, x);
@@ -199,6 +201,7 @@ std::vector<double> FrontalCholesky::solve(std::span<const double> right_side) c
     std::vector<double> answer(right_side.size(), 0.0);
     Eigen::Map<VectorXd> result(answer.data(), Index(answer.size()));
     for (std::size_t f = panels.size(); f-- > 0;) {
+        if (tree.fronts[f].own.empty()) continue;
         VectorXd own = panels_->gathered(tree.fronts[f].own, x);
         own -= panels[f].below.transpose() * panels_->gathered(tree.fronts[f].border, x);
         panels[f].triangle.triangularView<Eigen::Lower>().transpose().solveInPlace(own);
