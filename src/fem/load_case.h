@@ -41,7 +41,7 @@ struct Support {
 
 struct Load {
     Stretch on;
-    Vec2 force;            // N, the resultant; spread evenly
+    Vec2 force{};          // N, the resultant; spread evenly
     bool bearing = false;  // instead: in proportion to the cosine of the angle from the force
     double turn = 0;       // rad, the load may turn by this much either way
     double move = 0;       // mm, and slide along the boundary by this much either way

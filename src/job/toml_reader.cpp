@@ -17,7 +17,7 @@ namespace bead {
 struct TomlReader::Document {
     toml::table table;
     std::string place;
-    std::set<std::string, std::less<>> asked, ignored;
+    std::set<std::string, std::less<>> asked, ignored, counted;
 
     [[nodiscard]] std::string where(const toml::node& node) const {
         return place_in(place, node.source().begin.line);
@@ -34,6 +34,10 @@ struct TomlReader::Document {
                                  const Range& range) const;
     void check_known(const toml::table& level, const std::string& prefix) const;
     [[nodiscard]] bool leads_to_a_key(const std::string& path) const;
+    [[nodiscard]] const toml::array& array(const toml::node& node, std::string_view key,
+                                           std::string_view of) const;
+    [[nodiscard]] std::vector<std::array<double, 2>> pairs(const toml::node& node,
+                                                           std::string_view key) const;
 };
 
 namespace {
@@ -70,9 +74,14 @@ bool TomlReader::Document::leads_to_a_key(const std::string& path) const {
 void TomlReader::Document::check_known(const toml::table& level, const std::string& prefix) const {
     for (const auto& [key, node] : level) {
         const std::string path = prefix + std::string(key.str());
-        if (asked.contains(path) || ignored.contains(path)) continue;
+        if (ignored.contains(path) || (asked.contains(path) && !counted.contains(path))) continue;
         if (node.is_table() && leads_to_a_key(path)) {
             check_known(*node.as_table(), path + '.');
+            continue;
+        }
+        if (counted.contains(path)) {
+            for (std::size_t i = 0; i < node.as_array()->size(); ++i)
+                check_known(*node.as_array()->get(i)->as_table(), fmt::format("{}[{}].", path, i));
             continue;
         }
         if (leads_to_a_key(path)) fail(node, path, fmt::format("must be a table [{}]", path));
@@ -136,6 +145,74 @@ std::optional<std::string> TomlReader::place_of(std::string_view key) {
     const toml::node* node = document_->find(key);
     if (node == nullptr) return std::nullopt;
     return document_->where(*node);
+}
+
+const toml::array& TomlReader::Document::array(const toml::node& node, std::string_view key,
+                                               std::string_view of) const {
+    const toml::array* found = node.as_array();
+    if (found == nullptr) fail(node, key, fmt::format("must be an array of {}", of));
+    return *found;
+}
+
+std::vector<std::array<double, 2>> TomlReader::Document::pairs(const toml::node& node,
+                                                               std::string_view key) const {
+    std::vector<std::array<double, 2>> values;
+    for (const toml::node& item : array(node, key, "points [x, y]")) {
+        const std::string name = fmt::format("{}[{}]", key, values.size());
+        const toml::array& pair = array(item, name, "2 numbers, x and y");
+        if (pair.size() != 2) fail(item, name, "must be an array of 2 numbers, x and y");
+        values.push_back({checked(*pair.get(0), name, {}), checked(*pair.get(1), name, {})});
+    }
+    return values;
+}
+
+std::vector<std::array<double, 2>> TomlReader::pairs(std::string_view key) {
+    const toml::node* node = document_->find(key);
+    if (node == nullptr) return {};
+    return document_->pairs(*node, key);
+}
+
+std::vector<std::vector<std::array<double, 2>>> TomlReader::pair_lists(std::string_view key) {
+    const toml::node* node = document_->find(key);
+    if (node == nullptr) return {};
+    std::vector<std::vector<std::array<double, 2>>> lists;
+    for (const toml::node& item : document_->array(*node, key, "polygons"))
+        lists.push_back(document_->pairs(item, fmt::format("{}[{}]", key, lists.size())));
+    return lists;
+}
+
+std::vector<std::vector<double>> TomlReader::number_lists(std::string_view key, std::size_t lists,
+                                                          std::size_t numbers) {
+    const toml::node* node = document_->find(key);
+    if (node == nullptr) return {};
+    const std::string wanted = fmt::format("must be {} arrays of {} numbers", lists, numbers);
+    std::vector<std::vector<double>> result;
+    if (!node->is_array() || node->as_array()->size() != lists) document_->fail(*node, key, wanted);
+    for (const toml::node& item : *node->as_array()) {
+        if (!item.is_array() || item.as_array()->size() != numbers)
+            document_->fail(item, key, wanted);
+        result.emplace_back();
+        for (const toml::node& value : *item.as_array())
+            result.back().push_back(document_->checked(value, key, {}));
+    }
+    return result;
+}
+
+std::size_t TomlReader::tables(std::string_view key) {
+    const toml::node* node = document_->find(key);
+    if (node == nullptr) return 0;
+    if (!node->is_array_of_tables())
+        document_->fail(*node, key, fmt::format("must be tables [[{}]]", key));
+    document_->counted.emplace(key);
+    return node->as_array()->size();
+}
+
+void TomlReader::refuse(std::string_view key, std::string_view what) {
+    std::string outer(key);
+    while (document_->table.at_path(outer).node() == nullptr && outer.find('.') != outer.npos)
+        outer.resize(outer.rfind('.'));
+    const toml::node* node = document_->table.at_path(outer).node();
+    document_->fail(node == nullptr ? document_->table : *node, key, what);
 }
 
 void TomlReader::ignore(std::string_view key) { document_->ignored.emplace(key); }

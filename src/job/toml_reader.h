@@ -12,6 +12,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace bead {
 
@@ -47,6 +48,16 @@ class TomlReader {
         read_numbers(key, fallback, range);
         return fallback;
     }
+    // Arrays of [x, y], and arrays of such arrays.
+    std::vector<std::array<double, 2>> pairs(std::string_view key);
+    std::vector<std::vector<std::array<double, 2>>> pair_lists(std::string_view key);
+    // Exactly as many arrays of exactly as many numbers.
+    std::vector<std::vector<double>> number_lists(std::string_view key, std::size_t lists,
+                                                  std::size_t numbers);
+    // How many tables [[key]] there are; their keys are "key[0].name", "key[1].name" …
+    std::size_t tables(std::string_view key);
+    // Throws an Error that names the place of the key, the key and what is wrong with it.
+    [[noreturn]] void refuse(std::string_view key, std::string_view what);
     // Where the file says it, "my.toml:7"; nothing if it does not.
     std::optional<std::string> place_of(std::string_view key);
     // The key and all below it may say anything.

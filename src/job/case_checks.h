@@ -1,0 +1,19 @@
+// What a CASE.toml can say that is well written and still makes no sense. Each throws an Error that
+// names the key.
+#pragma once
+#include <optional>
+
+#include "fem/load_case.h"
+#include "fem/solid_case.h"
+#include "job/toml_reader.h"
+
+namespace bead {
+
+// Where two sides of the loop cross or touch that are not neighbours.
+std::optional<Vec2> self_crossing(const Polyline& loop);
+
+// Loads and supports lie on the boundary, something pulls, the supports hold the part.
+void check_boundary(TomlReader& file, const LoadCase& load_case);
+void check_boxes(TomlReader& file, const SolidCase& solid);
+
+}  // namespace bead

@@ -1,0 +1,322 @@
+#include "job/case_file.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "core/error.h"
+#include "geom/clip.h"
+#include "job/case_checks.h"
+#include "job/data_file.h"
+#include "job/outline_svg.h"
+#include "job/toml_reader.h"
+#include "mesh/load.h"
+#include "slice/slice.h"
+
+namespace bead {
+namespace {
+
+constexpr double flatness = 0.002;  // mm, of the polygons that stand for circles
+constexpr double radian = pi / 180;
+constexpr double farthest = 1e5;  // mm
+constexpr Range share{.low = 0, .high = 1, .open_low = true};
+
+Vec2 point(std::array<double, 2> xy) { return {xy[0], xy[1]}; }
+
+Polyline line(const std::vector<std::array<double, 2>>& pairs) {
+    Polyline points;
+    for (const std::array<double, 2>& pair : pairs) points.push_back(point(pair));
+    return points;
+}
+
+Polyline circle_loop(const Circle& circle) {
+    const double step = 2 * std::acos(1 - std::min(0.05, flatness / circle.radius));
+    const int count = 4 * std::max(16, int(std::ceil(pi / 2 / step)));
+    Polyline loop;
+    for (int i = 0; i < count; ++i)
+        loop.push_back(circle.centre + circle.radius * unit(2 * pi * i / count));
+    return loop;
+}
+
+SolidMaterial read_material(TomlReader& file) {
+    SolidMaterial m;
+    m.young = file.number("material.young_mpa", m.young, positive);
+    m.poisson = file.number("material.poisson", m.poisson, {.low = 0, .high = 0.49});
+    m.tensile = file.number("material.tensile_mpa", m.tensile, positive);
+    m.compressive = file.number("material.compressive_mpa", m.compressive, positive);
+    m.density = file.number("material.density_g_cm3", m.density, positive);
+    return m;
+}
+
+PrintWish read_print(TomlReader& file) {
+    PrintWish p;
+    p.bead_width = file.number("print.bead_width_mm", p.bead_width, positive);
+    p.layer_height = file.number("print.layer_height_mm", p.layer_height, positive);
+    p.fill = file.number("print.fill", p.fill, share);
+    p.walls = file.integer("print.walls", p.walls, {.low = 0, .high = 100});
+    return p;
+}
+
+Circle read_circle(TomlReader& file, const std::string& key) {
+    Circle circle;
+    if (!file.place_of(key + ".center")) file.refuse(key, "has no center = [x, y]");
+    circle.centre = point(file.numbers<2>(key + ".center", {}, {-farthest, farthest}));
+    circle.radius = file.number(key + ".radius", 0, {0, farthest, true});
+    if (circle.radius == 0) file.refuse(key, "has no radius");
+    return circle;
+}
+
+Stretch read_stretch(TomlReader& file, const std::string& key) {
+    Stretch stretch;
+    if (file.place_of(key + ".on")) {
+        Arc arc{.circle = read_circle(file, key + ".on")};
+        const auto degrees = file.numbers<2>(key + ".arc_deg", {0, 360}, {-720, 720});
+        arc.begin = degrees[0] * radian;
+        arc.end = degrees[1] * radian;
+        while (arc.end <= arc.begin) arc.end += 2 * pi;
+        if (arc.end > arc.begin + 2 * pi + 1e-9)
+            file.refuse(key + ".arc_deg", "goes round more than once");
+        stretch.arc = arc;
+        return stretch;
+    }
+    for (const char* end : {".from", ".to"})
+        if (!file.place_of(key + end))
+            file.refuse(key, fmt::format("has no {}; give from and to, or on", end + 1));
+    stretch.from = point(file.numbers<2>(key + ".from", {}, {-farthest, farthest}));
+    stretch.to = point(file.numbers<2>(key + ".to", {}, {-farthest, farthest}));
+    return stretch;
+}
+
+Support read_support(TomlReader& file, const std::string& key) {
+    constexpr std::string_view words[] = {"xy", "x", "y"};
+    Support support;
+    support.on = read_stretch(file, key);
+    const std::size_t fix = file.choice(key + ".fix", 0, words);
+    support.x = fix != 2;
+    support.y = fix != 1;
+    return support;
+}
+
+Load read_load(TomlReader& file, const std::string& key) {
+    Load load;
+    load.on = read_stretch(file, key);
+    if (!file.place_of(key + ".force_n")) file.refuse(key, "has no force_n = [x, y]");
+    load.force = point(file.numbers<2>(key + ".force_n", {}, {-1e9, 1e9}));
+    load.bearing = file.flag(key + ".bearing", false);
+    if (load.bearing && !load.on.arc)
+        file.refuse(key + ".bearing", "needs on = {center, radius}: a pin is round");
+    load.turn = radian * file.number(key + ".turn_deg", 0, {.low = 0, .high = 180});
+    load.move = file.number(key + ".move_mm", 0, {.low = 0, .high = farthest});
+    return load;
+}
+
+// `prefix` is "" for the one at the top, "case[2]." for one of several.
+Situation read_situation(TomlReader& file, const std::string& prefix) {
+    Situation situation;
+    const std::size_t supports = file.tables(prefix + "support");
+    for (std::size_t i = 0; i < supports; ++i)
+        situation.supports.push_back(read_support(file, fmt::format("{}support[{}]", prefix, i)));
+    const std::size_t loads = file.tables(prefix + "load");
+    for (std::size_t i = 0; i < loads; ++i)
+        situation.loads.push_back(read_load(file, fmt::format("{}load[{}]", prefix, i)));
+    return situation;
+}
+
+std::vector<Situation> read_situations(TomlReader& file) {
+    std::vector<Situation> situations;
+    const std::size_t cases = file.tables("case");
+    for (std::size_t i = 0; i < cases; ++i) {
+        const std::string key = fmt::format("case[{}].", i);
+        situations.push_back(read_situation(file, key));
+        situations.back().weight = file.number(key + "weight", 1, positive);
+    }
+    if (cases > 0) return situations;
+    return {read_situation(file, "")};
+}
+
+std::string beside(const std::string& name, const std::string& file) {
+    return (std::filesystem::path(name).parent_path() / file).string();
+}
+
+// Half-way up; its height is the part's thickness.
+Region section_of(const Mesh& mesh, double& thickness) {
+    thickness = bounds(mesh).size().z;
+    const Slices slices =
+        slice(mesh, {.layer_height = thickness, .first_layer_height = thickness, .threads = 1});
+    return slices.layers.empty() ? Region{} : slices.layers.front().region;
+}
+
+Polyline read_outline(TomlReader& file) {
+    Polyline outline = line(file.pairs("outline"));
+    if (!outline.empty() && outline.size() > 1 && outline.front() == outline.back())
+        outline.pop_back();
+    if (outline.size() < 3) file.refuse("outline", "needs at least 3 points");
+    if (const auto place = self_crossing(outline))
+        file.refuse("outline",
+                    fmt::format("crosses itself at ({:.4g}, {:.4g})", place->x, place->y));
+    return outline;
+}
+
+Region read_part(TomlReader& file, const std::string& name, double& thickness) {
+    const std::string svg = file.text("outline_svg", ""), model = file.text("model", "");
+    const int ways =
+        int(file.place_of("outline").has_value()) + int(!svg.empty()) + int(!model.empty());
+    if (ways != 1)
+        file.refuse("outline", ways == 0 ? "is missing; or give outline_svg or model"
+                                         : "cannot stand beside outline_svg or model");
+    if (!model.empty()) return section_of(load_mesh(beside(name, model)), thickness);
+    if (!svg.empty()) {
+        const DataFile text = file_on_disk("outline", beside(name, svg));
+        return outline_of_svg(text.text, text.place);
+    }
+    return region_of({read_outline(file)}, Winding::even_odd);
+}
+
+void cut_holes(TomlReader& file, LoadCase& result) {
+    const auto cut = [&](const Polyline& loop, const std::string& key) {
+        const Region hole = region_of({loop}, Winding::even_odd);
+        if (area(intersection(result.part, hole)) < 1e-6) file.refuse(key, "lies outside the part");
+        result.part = difference(result.part, hole);
+    };
+    const auto holes = file.pair_lists("holes");
+    for (std::size_t i = 0; i < holes.size(); ++i) {
+        const std::string key = fmt::format("holes[{}]", i);
+        if (holes[i].size() < 3) file.refuse(key, "needs at least 3 points");
+        if (const auto place = self_crossing(line(holes[i])))
+            file.refuse(key, fmt::format("crosses itself at ({:.4g}, {:.4g})", place->x, place->y));
+        cut(line(holes[i]), key);
+    }
+    const std::size_t circles = file.tables("circles");
+    for (std::size_t i = 0; i < circles; ++i) {
+        const std::string key = fmt::format("circles[{}]", i);
+        result.circles.push_back(read_circle(file, key));
+        cut(circle_loop(result.circles.back()), key);
+    }
+}
+
+LoadCase plane_case(TomlReader& file, const std::string& name) {
+    LoadCase result;
+    result.title = file.text("title", "");
+    double thickness = 0;
+    result.part = read_part(file, name, thickness);
+    cut_holes(file, result);
+    if (result.part.size() != 1)
+        file.refuse("outline", result.part.empty()
+                                   ? "leaves nothing of the part"
+                                   : fmt::format("leaves {} separate pieces; a case is one part",
+                                                 result.part.size()));
+    if (thickness == 0 && !file.place_of("thickness_mm")) file.refuse("thickness_mm", "is missing");
+    result.thickness = file.number("thickness_mm", thickness, positive);
+    result.material = read_material(file);
+    result.print = read_print(file);
+    result.situations = read_situations(file);
+    for (std::size_t i = 0; i < file.tables("probe"); ++i) {
+        const std::string key = fmt::format("probe[{}].at", i);
+        result.probes.push_back(point(file.numbers<2>(key, {}, {-farthest, farthest})));
+    }
+    const bool several = file.tables("case") > 0;
+    if (several && (file.tables("load") > 0 || file.tables("support") > 0))
+        file.refuse("case",
+                    "cannot stand beside load or support at the top; move them into a case");
+    file.finish();
+    check_boundary(file, result);
+    if (file.place_of("print")) check_printable(result, name);
+    return result;
+}
+
+Box3 read_box(TomlReader& file, const std::string& key) {
+    const auto corners = file.number_lists(key, 2, 3);
+    Box3 box;
+    for (const std::vector<double>& corner : corners)
+        box.include({corner[0], corner[1], corner[2]});
+    return box;
+}
+
+SolidCase solid_case(TomlReader& file, const std::string& name) {
+    SolidCase result;
+    result.title = file.text("title", "");
+    result.mesh = load_mesh(beside(name, file.text("model", "")));
+    result.material = read_material(file);
+    for (std::size_t i = 0; i < file.tables("support"); ++i) {
+        const std::string key = fmt::format("support[{}]", i);
+        constexpr std::string_view words[] = {"xyz", "x", "y", "z", "xy", "xz", "yz"};
+        if (!file.place_of(key + ".box")) file.refuse(key, "has no box, as others have");
+        const std::string_view fix = words[file.choice(key + ".fix", 0, words)];
+        const auto holds = [&](char axis) { return fix.find(axis) != fix.npos; };
+        result.supports.push_back(
+            {read_box(file, key + ".box"), holds('x'), holds('y'), holds('z')});
+    }
+    for (std::size_t i = 0; i < file.tables("load"); ++i) {
+        const std::string key = fmt::format("load[{}]", i);
+        if (!file.place_of(key + ".box")) file.refuse(key, "has no box, as others have");
+        if (!file.place_of(key + ".force_n")) file.refuse(key, "has no force_n = [x, y, z]");
+        const auto force = file.numbers<3>(key + ".force_n", {}, {-1e9, 1e9});
+        result.loads.push_back({read_box(file, key + ".box"), {force[0], force[1], force[2]}});
+    }
+    for (std::size_t i = 0; i < file.tables("probe"); ++i) {
+        const auto at = file.numbers<3>(fmt::format("probe[{}].at", i), {}, {-farthest, farthest});
+        result.probes.push_back({at[0], at[1], at[2]});
+    }
+    read_print(file);
+    file.number("thickness_mm", 0, positive);
+    file.finish();
+    check_boxes(file, result);
+    return result;
+}
+
+bool has_boxes(TomlReader& file) {
+    for (const char* table : {"support", "load"})
+        for (std::size_t i = 0; i < file.tables(table); ++i)
+            if (file.place_of(fmt::format("{}[{}].box", table, i))) return true;
+    return false;
+}
+
+}  // namespace
+
+AnyCase parsed_case(std::string_view text, const std::string& name) {
+    {
+        TomlReader probe(text, name);
+        if (has_boxes(probe)) {
+            TomlReader file(text, name);
+            if (!file.place_of("model"))
+                file.refuse("model", "is missing; a case with boxes is one of a mesh");
+            return solid_case(file, name);
+        }
+    }
+    TomlReader file(text, name);
+    return plane_case(file, name);
+}
+
+AnyCase read_case(const std::string& file) {
+    const DataFile text = file_on_disk("case", file);
+    return parsed_case(text.text, text.place);
+}
+
+LoadCase read_plane_case(const std::string& file) {
+    AnyCase any = read_case(file);
+    if (std::holds_alternative<SolidCase>(any))
+        throw Error(file +
+                    ": is a case in space (boxes); give stretches of an outline, from and to");
+    return std::get<LoadCase>(std::move(any));
+}
+
+void check_printable(const LoadCase& load_case, const std::string& name) {
+    const double width = load_case.print.bead_width;
+    const Region kept = opened(load_case.part, 0.499 * width);
+    if (kept.size() == load_case.part.size()) return;
+    const Region lost = difference(load_case.part, offset(kept, 0.05 * width));
+    Vec2 place = bounds(load_case.part).centre();
+    double most = 0;
+    for (const Polygon& piece : lost)
+        if (area(piece) > most) {
+            most = area(piece);
+            place = bounds(piece.outer).centre();
+        }
+    throw Error(
+        fmt::format("{}: the part is thinner than a bead ({:g} mm) near ({:.4g}, {:.4g}); "
+                    "make it thicker or print.bead_width_mm smaller",
+                    name, width, place.x, place.y));
+}
+
+}  // namespace bead
