@@ -30,17 +30,9 @@ Place nearest_on(const MeasuredLoop& loop, std::size_t number, Vec2 p) {
     return best;
 }
 
-Polyline line_between(const MeasuredLoop& loop, double from, double to) {
-    Polyline line{point_at(loop, from)};
-    const Polyline between = way(loop, from, to);
-    line.insert(line.end(), between.begin(), between.end());
-    line.push_back(point_at(loop, to));
-    return line;
-}
-
-// On the loop that both ends are nearest to, the shorter way.
-std::optional<std::vector<Polyline>> line_of(const Region& part, const Stretch& stretch) {
-    const std::vector<MeasuredLoop> loops = measured_loops(part);
+// The place on the loop that both ends are nearest to; nothing if none is near enough to both.
+std::optional<std::pair<Place, Place>> ends_on_loop(const std::vector<MeasuredLoop>& loops,
+                                                    const Stretch& stretch) {
     std::optional<std::pair<Place, Place>> best;
     for (std::size_t i = 0; i < loops.size(); ++i) {
         const Place from = nearest_on(loops[i], i, stretch.from);
@@ -50,56 +42,112 @@ std::optional<std::vector<Polyline>> line_of(const Region& part, const Stretch& 
             continue;
         best = {from, to};
     }
-    if (!best) return std::nullopt;
-    const MeasuredLoop& loop = loops[best->first.loop];
-    double from = best->first.at, to = best->second.at;
-    if (std::abs(to - from) < 1e-9) return {{{point_at(loop, from), point_at(loop, from)}}};
-    const double forward = to > from ? to - from : to - from + loop.length;
-    if (forward > loop.length / 2) std::swap(from, to);
-    return {{line_between(loop, from, to)}};
+    return best;
+}
+
+// The shorter way.
+std::optional<std::vector<BoundarySpan>> span_between(const std::vector<MeasuredLoop>& loops,
+                                                      const Stretch& stretch) {
+    const auto ends = ends_on_loop(loops, stretch);
+    if (!ends) return std::nullopt;
+    const std::size_t loop = ends->first.loop;
+    const double around = loops[loop].length;
+    double from = ends->first.at, to = ends->second.at;
+    if (std::abs(to - from) < 1e-9) return {{{loop, from, from}}};
+    if (to < from) to += around;
+    if (to - from > around / 2) {
+        std::swap(from, to);
+        to += around;
+        if (from >= around) {
+            from -= around;
+            to -= around;
+        }
+    }
+    return {{{loop, from, to}}};
 }
 
 double angle_of(Vec2 v) { return std::atan2(v.y, v.x); }
 
-// The part of a side of the boundary, a chord of the circle, between the arc's angles.
-void append_chord(Vec2 a, Vec2 b, const Arc& arc, std::vector<Polyline>& lines) {
+// The parts of a side of the boundary, a chord of the circle, between the arc's angles, as shares.
+std::vector<std::pair<double, double>> shares_of_chord(Vec2 a, Vec2 b, const Arc& arc) {
+    std::vector<std::pair<double, double>> shares;
     const Vec2 centre = arc.circle.centre;
     const double begin = angle_of(a - centre);
     const double turn = std::atan2(cross(a - centre, b - centre), dot(a - centre, b - centre));
-    if (std::abs(turn) > widest_chord || turn == 0) return;
-    for (int k = -2; k <= 2; ++k) {
-        const double low = arc.begin + 2 * pi * k - begin, high = arc.end + 2 * pi * k - begin;
-        double first = low / turn, last = high / turn;
+    if (std::abs(turn) > widest_chord || turn == 0) return shares;
+    for (int k = -3; k <= 3; ++k) {
+        double first = (arc.begin + 2 * pi * k - begin) / turn;
+        double last = (arc.end + 2 * pi * k - begin) / turn;
         if (first > last) std::swap(first, last);
         first = std::max(first, 0.0);
         last = std::min(last, 1.0);
-        if (last - first < 1e-9) continue;
-        const Vec2 from = lerp(a, b, first), to = lerp(a, b, last);
-        if (!lines.empty() && distance(lines.back().back(), from) < 1e-9)
-            lines.back().push_back(to);
-        else
-            lines.push_back({from, to});
+        if (last - first > 1e-9) shares.emplace_back(first, last);
     }
+    return shares;
 }
 
-std::optional<std::vector<Polyline>> arc_lines(const Region& part, const Arc& arc) {
-    std::vector<Polyline> lines;
+void append(std::vector<BoundarySpan>& spans, const BoundarySpan& next) {
+    if (!spans.empty() && spans.back().loop == next.loop &&
+        std::abs(spans.back().to - next.from) < 1e-9)
+        spans.back().to = next.to;
+    else
+        spans.push_back(next);
+}
+
+// What ends at the loop's first point goes on with what begins there.
+void join_round(std::vector<BoundarySpan>& spans, const MeasuredLoop& loop, std::size_t first) {
+    if (spans.size() < first + 2) return;
+    if (spans[first].from > 1e-9 || std::abs(spans.back().to - loop.length) > 1e-9) return;
+    spans.back().to += spans[first].to;
+    spans.erase(spans.begin() + std::ptrdiff_t(first));
+}
+
+std::optional<std::vector<BoundarySpan>> arc_spans(const std::vector<MeasuredLoop>& loops,
+                                                   const Arc& arc) {
+    std::vector<BoundarySpan> spans;
     const auto on_circle = [&](Vec2 p) {
         return std::abs(distance(p, arc.circle.centre) - arc.circle.radius) < boundary_tolerance;
     };
-    for (const MeasuredLoop& loop : measured_loops(part))
+    for (std::size_t n = 0; n < loops.size(); ++n) {
+        const MeasuredLoop& loop = loops[n];
+        const std::size_t first_span = spans.size();
         for (std::size_t i = 0; i < loop.points.size(); ++i) {
             const Vec2 a = loop.points[i], b = loop.points[(i + 1) % loop.points.size()];
-            if (on_circle(a) && on_circle(b)) append_chord(a, b, arc, lines);
+            if (!on_circle(a) || !on_circle(b)) continue;
+            const double side = distance(a, b);
+            for (const auto& [first, last] : shares_of_chord(a, b, arc))
+                append(spans, {n, loop.at[i] + first * side, loop.at[i] + last * side});
         }
-    if (lines.empty()) return std::nullopt;
-    return lines;
+        join_round(spans, loop, first_span);
+    }
+    if (spans.empty()) return std::nullopt;
+    return spans;
+}
+
+Polyline line_of(const MeasuredLoop& loop, const BoundarySpan& span) {
+    Polyline line{point_at(loop, span.from)};
+    for (const double turn : {0.0, loop.length})
+        for (std::size_t i = 0; i < loop.points.size(); ++i)
+            if (const double at = loop.at[i] + turn; at > span.from + 1e-9 && at < span.to - 1e-9)
+                line.push_back(loop.points[i]);
+    line.push_back(point_at(loop, span.to));
+    return line;
 }
 
 }  // namespace
 
+std::optional<std::vector<BoundarySpan>> stretch_spans(const Region& part, const Stretch& stretch) {
+    const std::vector<MeasuredLoop> loops = measured_loops(part);
+    return stretch.arc ? arc_spans(loops, *stretch.arc) : span_between(loops, stretch);
+}
+
 std::optional<std::vector<Polyline>> stretch_lines(const Region& part, const Stretch& stretch) {
-    return stretch.arc ? arc_lines(part, *stretch.arc) : line_of(part, stretch);
+    const auto spans = stretch_spans(part, stretch);
+    if (!spans) return std::nullopt;
+    const std::vector<MeasuredLoop> loops = measured_loops(part);
+    std::vector<Polyline> lines;
+    for (const BoundarySpan& span : *spans) lines.push_back(line_of(loops[span.loop], span));
+    return lines;
 }
 
 Stretch moved(const Region& part, Stretch stretch, double distance) {
@@ -109,17 +157,11 @@ Stretch moved(const Region& part, Stretch stretch, double distance) {
         return stretch;
     }
     const std::vector<MeasuredLoop> loops = measured_loops(part);
-    std::pair<Place, Place> best;
-    for (std::size_t i = 0; i < loops.size(); ++i) {
-        const Place from = nearest_on(loops[i], i, stretch.from);
-        const Place to = nearest_on(loops[i], i, stretch.to);
-        if (from.distance + to.distance < best.first.distance + best.second.distance)
-            best = {from, to};
-    }
-    if (best.first.loop >= loops.size()) return stretch;
-    const MeasuredLoop& loop = loops[best.first.loop];
-    stretch.from = point_at(loop, best.first.at + distance + loop.length);
-    stretch.to = point_at(loop, best.second.at + distance + loop.length);
+    const auto ends = ends_on_loop(loops, stretch);
+    if (!ends) return stretch;
+    const MeasuredLoop& loop = loops[ends->first.loop];
+    stretch.from = point_at(loop, ends->first.at + distance);
+    stretch.to = point_at(loop, ends->second.at + distance);
     return stretch;
 }
 

@@ -1,4 +1,5 @@
-// Where a stretch of the boundary runs: as lines along the part's outline and holes.
+// Where a stretch of the boundary runs: along which of the part's loops (in the order of
+// measured_loops, geom/along.h), from where to where.
 #pragma once
 #include <optional>
 #include <vector>
@@ -9,8 +10,17 @@ namespace bead {
 
 inline constexpr double boundary_tolerance = 0.05;  // mm, how near "on the boundary" is
 
-// The lines in the direction of the part's loops; a single point twice for a stretch without
-// length. Nothing if its ends are not on one loop of the boundary, or no boundary lies on its arc.
+// mm along the loop in its direction; from <= to, and `to` may go past the loop's length.
+struct BoundarySpan {
+    std::size_t loop = 0;
+    double from = 0, to = 0;
+};
+
+// One span without length for a single point. Nothing if the ends are not on one loop of the
+// boundary, or no boundary lies on the arc.
+std::optional<std::vector<BoundarySpan>> stretch_spans(const Region& part, const Stretch& stretch);
+
+// The same as lines; a single point comes twice.
 std::optional<std::vector<Polyline>> stretch_lines(const Region& part, const Stretch& stretch);
 
 // The stretch slid along the boundary by `distance` (mm, along the loop's direction; an arc
