@@ -70,7 +70,7 @@ SizeField::SizeField(const std::vector<MeasuredLoop>& loops, const MeshSizes& wa
 
 void SizeField::add(Vec2 place, double size) {
     size = std::max(size, wanted_.least * wanted_.size);
-    if (size < 0.95 * wanted_.size && at(place) > 1.02 * size) sources_.push_back({place, size});
+    if (size < 0.95 * wanted_.size && at(place) > 1.1 * size) sources_.push_back({place, size});
 }
 
 double SizeField::at(Vec2 p) const {

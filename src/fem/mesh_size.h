@@ -9,7 +9,7 @@ namespace bead {
 
 struct MeshSizes {
     double size = 1;          // mm, side of an element where nothing asks for less
-    double turn = 0.2;        // rad, that one side of a bent boundary may turn by
+    double turn = 0.13;       // rad, that one side of a bent boundary may turn by
     double growth = 0.3;      // mm per mm
     double least = 1.0 / 30;  // of `size`
     int across = 2;           // elements across a narrow place
