@@ -10,6 +10,7 @@ void add_optimize(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_energy(CLI::App& app);
 void add_post_process(CLI::App& app);
+void add_stress(CLI::App& app);
 void add_calibrate(CLI::App& app);
 void add_replay(CLI::App& app);
 void add_vibration(CLI::App& app);

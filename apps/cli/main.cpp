@@ -60,6 +60,7 @@ int main(int argc, char** argv) {
     bead::cli::add_simulate(app);
     bead::cli::add_energy(app);
     bead::cli::add_post_process(app);
+    bead::cli::add_stress(app);
     bead::cli::add_calibrate(app);
     bead::cli::add_replay(app);
     bead::cli::add_vibration(app);
