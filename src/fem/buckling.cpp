@@ -1,11 +1,12 @@
 #include "fem/buckling.h"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 
 #include "core/expects.h"
 #include "fem/pixel_element.h"
-#include "numeric/lowest_modes.h"
+#include "numeric/block_lanczos.h"
 
 namespace bead {
 namespace {
@@ -67,8 +68,8 @@ PixelVector applied(const Geometric& g, const PixelGrid& grid, std::span<const d
 }
 
 // The same on every machine; the low bits of a multiplicative generator are not used.
-PixelVector noise(std::size_t count) {
-    PixelVector values(count);
+std::vector<double> noise(std::size_t count) {
+    std::vector<double> values(count);
     std::uint64_t state = 20261125;
     for (double& value : values) {
         state = state * 6364136223846793005ULL + 1442695040888963407ULL;
@@ -76,6 +77,80 @@ PixelVector noise(std::size_t count) {
     }
     return values;
 }
+
+// -Kg on vectors over the solid nodes only.
+class Packed {
+  public:
+    Packed(const PixelSolver& solver, std::span<const double> displacement)
+        : solver_(solver), geometric_(geometric_of(solver.model(), displacement)) {
+        const PixelGrid& grid = solver.model().grid;
+        std::vector<std::size_t> point(grid.nodes());
+        for (std::size_t p = 0; p < nodes().size(); ++p) {
+            point[nodes()[p]] = p;
+            for (std::size_t c = 0; c < 2; ++c) held_.push_back(solver.held()[2 * nodes()[p] + c]);
+        }
+        for (const std::size_t pixel : geometric_.pixels) {
+            std::array<std::size_t, 4> corners = grid.corners(pixel);
+            for (std::size_t& corner : corners) corner = 2 * point[corner];
+            corners_.push_back(corners);
+        }
+    }
+
+    [[nodiscard]] std::size_t size() const { return held_.size(); }
+
+    [[nodiscard]] std::vector<double> turned_forces(std::span<const double> x, int columns) const {
+        std::vector<double> f(x.size(), 0.0);
+        for (std::size_t first = 0; first < size() * std::size_t(columns); first += size()) {
+            for (std::size_t k = 0; k < corners_.size(); ++k)
+                subtract(geometric_.matrices[k], corners_[k], &x[first], &f[first]);
+            for (std::size_t i = 0; i < size(); ++i)
+                if (held_[i] != 0) f[first + i] = 0;
+        }
+        return f;
+    }
+
+    // The guesses and a block of noise.
+    [[nodiscard]] std::vector<double> start(const std::vector<PixelVector>& guesses) const {
+        constexpr std::size_t noisy = 4;
+        std::vector<double> block;
+        for (const PixelVector& guess : guesses)
+            for (const std::size_t node : nodes())
+                block.insert(block.end(), {guess[2 * node], guess[2 * node + 1]});
+        const std::vector<double> more = noise(size() * (guesses.empty() ? noisy : noisy / 2));
+        block.insert(block.end(), more.begin(), more.end());
+        return block;
+    }
+
+    [[nodiscard]] PixelVector unpacked(const std::vector<double>& x) const {
+        PixelVector all(2 * solver_.model().grid.nodes(), 0.0);
+        for (std::size_t p = 0; p < nodes().size(); ++p) {
+            all[2 * nodes()[p]] = x[2 * p];
+            all[2 * nodes()[p] + 1] = x[2 * p + 1];
+        }
+        return all;
+    }
+
+  private:
+    [[nodiscard]] const std::vector<std::size_t>& nodes() const { return solver_.solid_nodes(); }
+
+    static void subtract(const CornerMatrix& g, const std::array<std::size_t, 4>& at,
+                         const double* x, double* f) {
+        for (std::size_t a = 0; a < 4; ++a) {
+            double fx = 0, fy = 0;
+            for (std::size_t b = 0; b < 4; ++b) {
+                fx += g[4 * a + b] * x[at[b]];
+                fy += g[4 * a + b] * x[at[b] + 1];
+            }
+            f[at[a]] -= fx;
+            f[at[a] + 1] -= fy;
+        }
+    }
+
+    const PixelSolver& solver_;
+    Geometric geometric_;
+    std::vector<std::uint8_t> held_;
+    std::vector<std::array<std::size_t, 4>> corners_;  // first unknown of each
+};
 
 }  // namespace
 
@@ -88,21 +163,20 @@ Buckling buckling(const PixelSolver& solver, std::span<const double> displacemen
                   const BucklingOptions& options) {
     const PixelModel& model = solver.model();
     BEAD_EXPECTS(displacement.size() == 2 * model.grid.nodes());
-    const Geometric g = geometric_of(model, displacement);
-    const LinearMap map = [&](std::span<const double> x) {
-        PixelVector f = applied(g, model.grid, x);
-        for (double& value : f) value = -value;
-        return solver.solve_only(f);
+    const Packed packed(solver, displacement);
+    const BlockMap map = [&](std::span<const double> x, int columns) {
+        std::vector<double> f = packed.turned_forces(x, columns);
+        std::vector<double> moved = solver.solve_packed(f, columns);
+        return BlockImages{std::move(moved), std::move(f)};
     };
-    const LinearMap stiffness = [&](std::span<const double> x) { return forces(model, x); };
-    const Modes modes = largest_modes(
-        map, stiffness,
-        {.count = options.count,
-         .tolerance = options.tolerance,
-         .most = options.most,
-         .start = options.start.empty() ? noise(displacement.size()) : options.start});
+    const Modes modes = block_modes(map, packed.start(options.start), packed.size(),
+                                    {.count = options.count,
+                                     .tolerance = options.tolerance,
+                                     .others = options.others,
+                                     .most = options.most});
     Buckling result{.modes = {}, .converged = modes.converged, .steps = modes.steps};
-    for (const Mode& mode : modes.modes) result.modes.push_back({1 / mode.value, mode.shape});
+    for (const Mode& mode : modes.modes)
+        result.modes.push_back({1 / mode.value, packed.unpacked(mode.shape)});
     return result;
 }
 

@@ -16,10 +16,11 @@ struct BucklingMode {
 };
 
 struct BucklingOptions {
-    int count = 2;            // lowest modes wanted
-    double tolerance = 1e-3;  // relative, of the factors
-    int most = 80;            // Lanczos steps
-    PixelVector start;        // a guess of the first mode, empty: seeded noise
+    int count = 2;                     // lowest modes wanted
+    double tolerance = 1e-3;           // relative, of the first factor
+    double others = 1e-3;              // of the other ones
+    int most = 120;                    // Lanczos vectors
+    std::vector<PixelVector> start{};  // guesses of the first modes, besides seeded noise
 };
 
 struct Buckling {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include "geom/box.h"
 
@@ -39,6 +40,13 @@ struct PixelGrid {
                                     double(node / std::size_t(columns + 1))};
     }
 };
+
+// The pixel that a place lies in; nothing beyond the grid.
+inline std::optional<std::size_t> pixel_at(const PixelGrid& grid, Vec2 p) {
+    const Vec2 at = (p - grid.origin) / grid.size;
+    if (!(at.x >= 0 && at.y >= 0 && at.x < grid.columns && at.y < grid.rows)) return std::nullopt;
+    return grid.pixel(int(at.x), int(at.y));
+}
 
 // The box covered by pixels of about `size`: exactly, with the size made a little smaller, along
 // its wider side if possible along both.

@@ -136,6 +136,14 @@ PixelVector PixelSolver::solve_only(std::span<const double> load) const {
     return factor_->applied(load);
 }
 
+const std::vector<std::size_t>& PixelSolver::solid_nodes() const {
+    return factor_->numbering.nodes;
+}
+
+std::vector<double> PixelSolver::solve_packed(std::span<const double> loads, int columns) const {
+    return factor_->cholesky.solve(loads, columns);
+}
+
 Displacement PixelSolver::solve(std::span<const double> load) const {
     Displacement result;
     result.values = factor_->applied(load);

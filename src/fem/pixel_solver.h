@@ -39,6 +39,12 @@ class PixelSolver {
     [[nodiscard]] Displacement solve(std::span<const double> load) const;
     // The same without a look at the residual.
     [[nodiscard]] PixelVector solve_only(std::span<const double> load) const;
+    // Nodes that touch something solid: vectors over two unknowns each, packed, instead of over all
+    // of the grid.
+    [[nodiscard]] const std::vector<std::size_t>& solid_nodes() const;
+    // Several packed loads, one after the other, which cost little more than one.
+    [[nodiscard]] std::vector<double> solve_packed(std::span<const double> loads,
+                                                   int columns) const;
     // Solves another model on the same grid with the same supports by conjugate gradients with this
     // factor as preconditioner: a few iterations if few pixels differ. Not converged where too many
     // do; factor anew then.

@@ -19,6 +19,34 @@ constexpr double negligible = 1e-13;
 struct Panel {
     MatrixXd triangle;  // lower, of the own unknowns
     MatrixXd below;     // border by own
+
+    // One step of solving with L and with its transpose.
+    void forward(VectorXd& own, VectorXd& border) const {
+        triangle.triangularView<Eigen::Lower>().solveInPlace(own);
+        border.noalias() -= below * own;
+    }
+    void backward(VectorXd& own, const VectorXd& border) const {
+        own.noalias() -= below.transpose() * border;
+        triangle.triangularView<Eigen::Lower>().transpose().solveInPlace(own);
+    }
+    // A few columns: each column of the panel is read once for all of them.
+    void forward(MatrixXd& own, MatrixXd& border) const {
+        const Index n = own.rows();
+        for (Index j = 0; j < n; ++j)
+            for (Index k = 0; k < own.cols(); ++k) {
+                const double x = own(j, k) /= triangle(j, j);
+                own.col(k).tail(n - j - 1) -= x * triangle.col(j).tail(n - j - 1);
+                border.col(k) -= x * below.col(j);
+            }
+    }
+    void backward(MatrixXd& own, const MatrixXd& border) const {
+        const Index n = own.rows();
+        for (Index j = n; j-- > 0;)
+            for (Index k = 0; k < own.cols(); ++k)
+                own(j, k) = (own(j, k) - below.col(j).dot(border.col(k)) -
+                             triangle.col(j).tail(n - j - 1).dot(own.col(k).tail(n - j - 1))) /
+                            triangle(j, j);
+    }
 };
 
 }  // namespace
@@ -37,8 +65,13 @@ struct FrontalCholesky::Panels {
     void hold(const Front& front, MatrixXd& sum) const;
     MatrixXd eliminate(std::size_t place, MatrixXd& sum);
     void factor(const ElementMatrix& matrix);
-    [[nodiscard]] VectorXd gathered(std::span<const int> points, const VectorXd& x) const;
-    void scatter(std::span<const int> points, const VectorXd& part, VectorXd& x) const;
+    // X: one vector, or several as columns, their rows together.
+    template <class X>
+    [[nodiscard]] X gathered(std::span<const int> points, const X& x) const;
+    template <class X>
+    void scatter(std::span<const int> points, const X& part, X& x) const;
+    template <class X>
+    [[nodiscard]] X solved(X x) const;
 };
 
 void FrontalCholesky::Panels::assemble(const Front& front, MatrixXd& sum,
@@ -144,19 +177,43 @@ void FrontalCholesky::Panels::factor(const ElementMatrix& matrix) {
     }
 }
 
-VectorXd FrontalCholesky::Panels::gathered(std::span<const int> points, const VectorXd& x) const {
+template <class X>
+X FrontalCholesky::Panels::gathered(std::span<const int> points, const X& x) const {
     const Index b = per_point();
-    VectorXd part(Index(points.size()) * b);
+    X part(Index(points.size()) * b, x.cols());
     for (std::size_t p = 0; p < points.size(); ++p)
-        part.segment(Index(p) * b, b) = x.segment(points[p] * b, b);
+        part.middleRows(Index(p) * b, b) = x.middleRows(points[p] * b, b);
     return part;
 }
 
-void FrontalCholesky::Panels::scatter(std::span<const int> points, const VectorXd& part,
-                                      VectorXd& x) const {
+template <class X>
+void FrontalCholesky::Panels::scatter(std::span<const int> points, const X& part, X& x) const {
     const Index b = per_point();
     for (std::size_t p = 0; p < points.size(); ++p)
-        x.segment(points[p] * b, b) = part.segment(Index(p) * b, b);
+        x.middleRows(points[p] * b, b) = part.middleRows(Index(p) * b, b);
+}
+
+template <class X>
+X FrontalCholesky::Panels::solved(X x) const {
+    for (std::size_t i = 0; i < held.size(); ++i)
+        if (held[i] != 0) x.row(Index(i)).setZero();
+    for (std::size_t f = 0; f < panels.size(); ++f) {
+        if (tree.fronts[f].own.empty()) continue;
+        X own = gathered(tree.fronts[f].own, x);
+        X border = gathered(tree.fronts[f].border, x);
+        panels[f].forward(own, border);
+        scatter(tree.fronts[f].own, own, x);
+        scatter(tree.fronts[f].border, border, x);
+    }
+    X result = X::Zero(x.rows(), x.cols());
+    for (std::size_t f = panels.size(); f-- > 0;) {
+        if (tree.fronts[f].own.empty()) continue;
+        X own = gathered(tree.fronts[f].own, x);
+        panels[f].backward(own, gathered(tree.fronts[f].border, x));
+        scatter(tree.fronts[f].own, own, x);
+        scatter(tree.fronts[f].own, own, result);
+    }
+    return result;
 }
 
 FrontalCholesky::FrontalCholesky(EliminationTree tree, const ElementMatrix& matrix,
@@ -182,33 +239,17 @@ std::size_t FrontalCholesky::fill() const {
     return count;
 }
 
-std::vector<double> FrontalCholesky::solve(std::span<const double> right_side) const {
-    const auto& [tree, panels, held, singular] = *panels_;
-    BEAD_EXPECTS(!singular);
-    const Index b = panels_->per_point();
-    VectorXd x = Eigen::Map<const VectorXd>(right_side.data(), Index(right_side.size()));
-    for (std::size_t i = 0; i < held.size(); ++i)
-        if (held[i] != 0) x(Index(i)) = 0;
-    for (std::size_t f = 0; f < panels.size(); ++f) {
-        if (tree.fronts[f].own.empty()) continue;
-        VectorXd own = panels_->gathered(tree.fronts[f].own, x);
-        panels[f].triangle.triangularView<Eigen::Lower>().solveInPlace(own);
-        panels_->scatter(tree.fronts[f].own, own, x);
-        if (tree.fronts[f].border.empty()) continue;
-        const VectorXd rest = panels_->gathered(tree.fronts[f].border, x) - panels[f].below * own;
-        panels_->scatter(tree.fronts[f].border, rest, x);
-    }
-    std::vector<double> answer(right_side.size(), 0.0);
-    Eigen::Map<VectorXd> result(answer.data(), Index(answer.size()));
-    for (std::size_t f = panels.size(); f-- > 0;) {
-        if (tree.fronts[f].own.empty()) continue;
-        VectorXd own = panels_->gathered(tree.fronts[f].own, x);
-        own -= panels[f].below.transpose() * panels_->gathered(tree.fronts[f].border, x);
-        panels[f].triangle.triangularView<Eigen::Lower>().transpose().solveInPlace(own);
-        panels_->scatter(tree.fronts[f].own, own, x);
-        for (std::size_t p = 0; p < tree.fronts[f].own.size(); ++p)
-            result.segment(tree.fronts[f].own[p] * b, b) = own.segment(Index(p) * b, b);
-    }
+std::vector<double> FrontalCholesky::solve(std::span<const double> right_sides, int columns) const {
+    BEAD_EXPECTS(!panels_->singular);
+    BEAD_EXPECTS(right_sides.size() == panels_->held.size() * std::size_t(columns));
+    const Eigen::Map<const MatrixXd> given(right_sides.data(), Index(panels_->held.size()),
+                                           columns);
+    std::vector<double> answer(right_sides.size());
+    Eigen::Map<MatrixXd> result(answer.data(), given.rows(), columns);
+    if (columns == 1)
+        result = panels_->solved(VectorXd(given));
+    else
+        result = panels_->solved(MatrixXd(given));
     return answer;
 }
 

@@ -35,7 +35,9 @@ class FrontalCholesky {
     [[nodiscard]] std::size_t fill() const;  // numbers kept
 
     // Held unknowns, and those of points in no element, come out 0.
-    [[nodiscard]] std::vector<double> solve(std::span<const double> right_side) const;
+    // Several right sides, one after the other, cost little more than one.
+    [[nodiscard]] std::vector<double> solve(std::span<const double> right_sides,
+                                            int columns = 1) const;
 
   private:
     struct Panels;

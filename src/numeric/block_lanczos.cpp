@@ -1,0 +1,175 @@
+#include "numeric/block_lanczos.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "core/expects.h"
+
+namespace bead {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Map = Eigen::Map<const MatrixXd>;
+using Small = Eigen::SelfAdjointEigenSolver<MatrixXd>;
+
+constexpr double cancelled = 1e-4;    // of a square: what calls for a second orthogonalisation
+constexpr double negligible = 1e-10;  // of a vector, what is left of it orthogonal to the basis
+
+struct Block {
+    MatrixXd x, bx;
+};
+
+// Products of a tall basis with a narrow block, a few rows at a time so that both stay in the
+// cache; a general matrix product would spend its time on packing.
+constexpr Index rows_at_a_time = 1024;
+
+template <class Work>
+void by_rows(Index rows, const Work& work) {
+    for (Index first = 0; first < rows; first += rows_at_a_time)
+        work(first, std::min(rows_at_a_time, rows - first));
+}
+
+// vᵀ x of the first `count` columns of v.
+MatrixXd inner(const MatrixXd& v, Index count, const MatrixXd& x) {
+    MatrixXd h = MatrixXd::Zero(count, x.cols());
+    by_rows(x.rows(), [&](Index first, Index rows) {
+        for (Index j = 0; j < count; ++j)
+            for (Index k = 0; k < x.cols(); ++k)
+                h(j, k) += v.col(j).segment(first, rows).dot(x.col(k).segment(first, rows));
+    });
+    return h;
+}
+
+// x -= v h.
+void reduce(MatrixXd& x, const MatrixXd& v, const MatrixXd& h) {
+    by_rows(x.rows(), [&](Index first, Index rows) {
+        for (Index j = 0; j < h.rows(); ++j)
+            for (Index k = 0; k < x.cols(); ++k)
+                x.col(k).segment(first, rows) -= h(j, k) * v.col(j).segment(first, rows);
+    });
+}
+
+class Basis {
+  public:
+    Basis(Index size, const BlockOptions& options) : options_(options) {
+        const Index room = options.most + options.block;
+        v_.resize(size, room);
+        bv_.resize(size, room);
+        projected_ = MatrixXd::Zero(room, room);
+    }
+
+    [[nodiscard]] Index count() const { return count_; }
+    [[nodiscard]] Map last(Index columns) const {
+        return {v_.col(count_ - columns).data(), v_.rows(), columns};
+    }
+
+    // Of the images of the last `columns` vectors: what A makes of them within the basis is kept,
+    // the rest stays.
+    void project(Block& images, Index columns) {
+        const Eigen::VectorXd whole = squares(images);
+        const MatrixXd h = take_out(images);
+        projected_.block(0, count_ - columns, count_, columns) = h;
+        projected_.block(count_ - columns, 0, columns, count_) = h.transpose();
+        if ((squares(images).array() < cancelled * whole.array()).any()) take_out(images);
+    }
+
+    // Of what is orthogonal to the basis the independent part, as a new block; how many columns.
+    Index append(const Block& rest) {
+        const Index before = count_;
+        for (Index k = 0; k < rest.x.cols(); ++k) {
+            Eigen::VectorXd x = rest.x.col(k), bx = rest.bx.col(k);
+            const double whole = x.dot(bx);
+            for (int pass = 0; pass < 2; ++pass) {
+                const auto v = v_.middleCols(before, count_ - before);
+                const Eigen::VectorXd h = v.transpose() * bx;
+                x.noalias() -= v * h;
+                bx.noalias() -= bv_.middleCols(before, count_ - before) * h;
+            }
+            const double square = x.dot(bx);
+            if (!(square > negligible * negligible * whole) || !(square > 1e-280)) continue;
+            v_.col(count_) = x / std::sqrt(square);
+            bv_.col(count_) = bx / std::sqrt(square);
+            ++count_;
+        }
+        return count_ - before;
+    }
+
+    [[nodiscard]] Small ritz() const { return Small(projected_.topLeftCorner(count_, count_)); }
+
+    // How many of the wanted values are as good as they should be; `rest` is what the images of the
+    // last `columns` vectors have outside of the basis.
+    [[nodiscard]] int settled(const Small& small, const Block& rest, Index columns) const {
+        const MatrixXd outside = rest.x.transpose() * rest.bx;
+        int good = 0;
+        for (Index k = count_; k-- > 0 && good < options_.count; ++good) {
+            const double value = small.eigenvalues()(k);
+            if (!(value > 0)) break;
+            const auto end = small.eigenvectors().col(k).tail(columns);
+            const double residual = std::sqrt(std::max(0.0, end.dot(outside * end)));
+            const double wanted = good == 0 ? options_.tolerance : options_.others;
+            if (residual > std::sqrt(wanted) * 0.3 * value) break;
+        }
+        return good;
+    }
+
+    [[nodiscard]] std::vector<Mode> modes(const Small& small) const {
+        std::vector<Mode> found;
+        for (Index k = count_; k-- > 0 && found.size() < std::size_t(options_.count);) {
+            if (!(small.eigenvalues()(k) > 0)) break;
+            const Eigen::VectorXd shape = v_.leftCols(count_) * small.eigenvectors().col(k);
+            found.push_back({small.eigenvalues()(k), {shape.begin(), shape.end()}});
+        }
+        return found;
+    }
+
+  private:
+    static Eigen::VectorXd squares(const Block& block) {
+        return block.x.cwiseProduct(block.bx).colwise().sum();
+    }
+    MatrixXd take_out(Block& block) const {
+        MatrixXd h = inner(v_, count_, block.bx);
+        reduce(block.x, v_, h);
+        reduce(block.bx, bv_, h);
+        return h;
+    }
+
+    const BlockOptions& options_;
+    MatrixXd v_, bv_, projected_;
+    Index count_ = 0;
+};
+
+Block applied(const BlockMap& map, const Map& x) {
+    const BlockImages images = map({x.data(), std::size_t(x.size())}, int(x.cols()));
+    return {Map(images.a.data(), x.rows(), x.cols()), Map(images.ba.data(), x.rows(), x.cols())};
+}
+
+}  // namespace
+
+Modes block_modes(const BlockMap& map, std::span<const double> start, std::size_t size,
+                  const BlockOptions& options) {
+    BEAD_EXPECTS(size > 0 && !start.empty() && start.size() % size == 0);
+    const auto rows = static_cast<Index>(size);
+    Basis basis(rows, options);
+    Block next = applied(map, {start.data(), rows, static_cast<Index>(start.size() / size)});
+    Modes result;
+    Small small;
+    while (basis.count() + next.x.cols() <= options.most) {
+        const Index columns = basis.append(next);
+        if (columns == 0) {
+            result.converged = true;
+            break;
+        }
+        next = applied(map, basis.last(columns));
+        basis.project(next, columns);
+        small = basis.ritz();
+        result.converged = basis.settled(small, next, columns) >= options.count;
+        if (result.converged) break;
+    }
+    result.steps = int(basis.count());
+    if (basis.count() > 0) result.modes = basis.modes(small);
+    return result;
+}
+
+}  // namespace bead
