@@ -25,13 +25,13 @@ struct Circle {
 // A piece of the part's boundary: from one point of it to another, the shorter way round; or, with
 // an arc, all of the boundary that lies on the circle between two angles (rad, counter-clockwise
 // from `begin` to `end`). `from` equal to `to` is a single point, which can hold but not be loaded.
-struct Arc {
+struct CircleArc {
     Circle circle;
     double begin = 0, end = 2 * pi;
 };
 struct Stretch {
     Vec2 from, to;
-    std::optional<Arc> arc;
+    std::optional<CircleArc> arc;
 };
 
 struct Support {

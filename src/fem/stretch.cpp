@@ -69,7 +69,7 @@ std::optional<std::vector<BoundarySpan>> span_between(const std::vector<Measured
 double angle_of(Vec2 v) { return std::atan2(v.y, v.x); }
 
 // The parts of a side of the boundary, a chord of the circle, between the arc's angles, as shares.
-std::vector<std::pair<double, double>> shares_of_chord(Vec2 a, Vec2 b, const Arc& arc) {
+std::vector<std::pair<double, double>> shares_of_chord(Vec2 a, Vec2 b, const CircleArc& arc) {
     std::vector<std::pair<double, double>> shares;
     const Vec2 centre = arc.circle.centre;
     const double begin = angle_of(a - centre);
@@ -103,7 +103,7 @@ void join_round(std::vector<BoundarySpan>& spans, const MeasuredLoop& loop, std:
 }
 
 std::optional<std::vector<BoundarySpan>> arc_spans(const std::vector<MeasuredLoop>& loops,
-                                                   const Arc& arc) {
+                                                   const CircleArc& arc) {
     std::vector<BoundarySpan> spans;
     const auto on_circle = [&](Vec2 p) {
         return std::abs(distance(p, arc.circle.centre) - arc.circle.radius) < boundary_tolerance;

@@ -70,7 +70,7 @@ Circle read_circle(TomlReader& file, const std::string& key) {
 Stretch read_stretch(TomlReader& file, const std::string& key) {
     Stretch stretch;
     if (file.place_of(key + ".on")) {
-        Arc arc{.circle = read_circle(file, key + ".on")};
+        CircleArc arc{.circle = read_circle(file, key + ".on")};
         const auto degrees = file.numbers<2>(key + ".arc_deg", {0, 360}, {-720, 720});
         arc.begin = degrees[0] * radian;
         arc.end = degrees[1] * radian;
