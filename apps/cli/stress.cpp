@@ -57,9 +57,8 @@ std::optional<double> change_by_mesh(const LoadCase& load_case, const Sheet& she
 
 void stress_plane(const LoadCase& load_case, const Options& options) {
     const Console console = console_of(options.output);
-    const SheetOptions how{.size = options.size,
-                           .elements = element_names.at(options.elements),
-                           .most = options.most};
+    const SheetOptions how{
+        .size = options.size, .elements = element_names.at(options.elements), .most = options.most};
     const Sheet sheet = solved_sheet(load_case, how);
     if (sheet.failure) throw Error(options.file + ": " + *sheet.failure);
     for (const SheetAnswer& answer : sheet.answers)
@@ -76,7 +75,8 @@ void stress_plane(const LoadCase& load_case, const Options& options) {
 
 void stress_solid(const SolidCase& solid, const Options& options) {
     if (!options.picture.empty())
-        throw Error("--picture: draws cases of the plane; look at -o OUT.vtu instead", Fault::usage);
+        throw Error("--picture: draws cases of the plane; look at -o OUT.vtu instead",
+                    Fault::usage);
     const Console console = console_of(options.output);
     const SolidAnswer answer = solved_solid(solid, {.size = options.size, .most = options.most});
     if (answer.failure) throw Error(options.file + ": " + *answer.failure);

@@ -63,16 +63,21 @@ std::string elements(const Sheet& sheet, const Page& page_of, double scale) {
         for (const int node : nodes.first(corners))
             mean = mean + 1.0 / double(corners) * sheet.answers[0].stress[std::size_t(node)];
         std::string& path = paths[std::size_t(shade(mean, scale) + shades)];
-        for (std::size_t c = 0; c < corners; ++c)
-            path += (c == 0 ? "M" : "L") + page_of.at(sheet.mesh.nodes[std::size_t(nodes[c])]);
-        path += "Z";
+        char stroke = 'M';
+        for (const int node : nodes.first(corners)) {
+            path.push_back(stroke);
+            path.append(page_of.at(sheet.mesh.nodes[std::size_t(node)]));
+            stroke = 'L';
+        }
+        path.push_back('Z');
     }
     std::string text;
     for (int k = -shades; k <= shades; ++k) {
         const std::string& path = paths[std::size_t(k + shades)];
         if (!path.empty())
-            text += fmt::format("<path fill=\"{0}\" stroke=\"{0}\" stroke-width=\"0.4\" d=\"{1}\"/>\n",
-                                colour(k), path);
+            text +=
+                fmt::format("<path fill=\"{0}\" stroke=\"{0}\" stroke-width=\"0.4\" d=\"{1}\"/>\n",
+                            colour(k), path);
     }
     return text;
 }
@@ -92,28 +97,34 @@ std::string directions(const LoadCase& load_case, const Sheet& sheet, const Page
             const auto draw = [&](double value, Vec2 direction) {
                 const Vec2 half =
                     0.48 * step * std::sqrt(std::min(1.0, std::abs(value) / scale)) * direction;
-                (value >= 0 ? tension : compression) +=
-                    "M" + page_of.at(p - half) + "L" + page_of.at(p + half);
+                std::string& lines = value >= 0 ? tension : compression;
+                lines.append("M").append(page_of.at(p - half));
+                lines.append("L").append(page_of.at(p + half));
             };
             draw(s.first, unit(s.angle));
             draw(s.second, left_of(unit(s.angle)));
         }
-    return fmt::format("<path fill=\"none\" stroke=\"#5a0f08\" stroke-width=\"1.1\" d=\"{}\"/>\n"
-                       "<path fill=\"none\" stroke=\"#08244a\" stroke-width=\"1.1\" d=\"{}\"/>\n",
-                       tension, compression);
+    return fmt::format(
+        "<path fill=\"none\" stroke=\"#5a0f08\" stroke-width=\"1.1\" d=\"{}\"/>\n"
+        "<path fill=\"none\" stroke=\"#08244a\" stroke-width=\"1.1\" d=\"{}\"/>\n",
+        tension, compression);
 }
 
 std::string outline(const LoadCase& load_case, const Page& page_of) {
     std::string path;
     const auto add = [&](const Polyline& loop) {
-        for (std::size_t i = 0; i < loop.size(); ++i) path += (i == 0 ? "M" : "L") + page_of.at(loop[i]);
-        path += "Z";
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            path.push_back(i == 0 ? 'M' : 'L');
+            path.append(page_of.at(loop[i]));
+        }
+        path.push_back('Z');
     };
     for (const Polygon& polygon : load_case.part) {
         add(polygon.outer);
         std::ranges::for_each(polygon.holes, add);
     }
-    return fmt::format("<path fill=\"none\" stroke=\"#222\" stroke-width=\"1.2\" d=\"{}\"/>\n", path);
+    return fmt::format("<path fill=\"none\" stroke=\"#222\" stroke-width=\"1.2\" d=\"{}\"/>\n",
+                       path);
 }
 
 std::string key(double top, double scale) {
@@ -122,11 +133,11 @@ std::string key(double top, double scale) {
         text += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"12\" height=\"12\" fill=\"{}\"/>\n",
                             decimal(margin + 12 * (k + shades)), decimal(top), colour(k));
     const double right = margin + 12 * (2 * shades + 1);
-    return text +
-           fmt::format("<text x=\"{}\" y=\"{}\">compression {:.3g} MPa</text>\n"
-                       "<text x=\"{}\" y=\"{}\" text-anchor=\"end\">tension {:.3g} MPa</text>\n",
-                       decimal(margin), decimal(top + 27), scale, decimal(right), decimal(top + 27),
-                       scale);
+    return text + fmt::format(
+                      "<text x=\"{}\" y=\"{}\">compression {:.3g} MPa</text>\n"
+                      "<text x=\"{}\" y=\"{}\" text-anchor=\"end\">tension {:.3g} MPa</text>\n",
+                      decimal(margin), decimal(top + 27), scale, decimal(right), decimal(top + 27),
+                      scale);
 }
 
 }  // namespace
@@ -139,15 +150,16 @@ std::string stress_picture(const LoadCase& load_case, const Sheet& sheet) {
     const double width = std::max(on.scale * size.x, 400.0) + 2 * margin;
     const double height = on.scale * size.y + 2 * margin + foot;
     const double scale = scale_of(sheet.answers[0].stress);
-    return fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" "
-                       "width=\"{0}\" height=\"{1}\" font-family=\"sans-serif\" "
-                       "font-size=\"13\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n"
-                       "<text x=\"{2}\" y=\"20\" font-size=\"15\">{3}</text>\n",
-                       decimal(width), decimal(height), decimal(margin),
-                       escaped(load_case.title.empty() ? "Principal stresses" : load_case.title)) +
+    return fmt::format(
+               "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" "
+               "width=\"{0}\" height=\"{1}\" font-family=\"sans-serif\" "
+               "font-size=\"13\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n"
+               "<text x=\"{2}\" y=\"20\" font-size=\"15\">{3}</text>\n",
+               decimal(width), decimal(height), decimal(margin),
+               escaped(load_case.title.empty() ? "Principal stresses" : load_case.title)) +
            elements(sheet, on, scale) + outline(load_case, on) +
-           directions(load_case, sheet, on, scale) +
-           key(on.scale * size.y + 2 * margin, scale) + "</svg>\n";
+           directions(load_case, sheet, on, scale) + key(on.scale * size.y + 2 * margin, scale) +
+           "</svg>\n";
 }
 
 }  // namespace bead::cli

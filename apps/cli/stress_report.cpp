@@ -28,16 +28,12 @@ Json probe_json(const SheetProbe& probe) {
 Json answer_json(const SheetAnswer& answer) {
     Json reactions = Json::array(), probes = Json::array();
     for (std::size_t i = 0; i < answer.reactions.size(); ++i)
-        reactions.push_back({{"support", i},
-                             {"x_n", answer.reactions[i].x},
-                             {"y_n", answer.reactions[i].y}});
+        reactions.push_back(
+            {{"support", i}, {"x_n", answer.reactions[i].x}, {"y_n", answer.reactions[i].y}});
     for (const SheetProbe& probe : answer.probes) probes.push_back(probe_json(probe));
-    return {{"work_n_mm", answer.work},
-            {"max_displacement_mm", answer.largest},
-            {"reactions", reactions},
-            {"probes", probes},
-            {"residual", answer.residual},
-            {"iterations", answer.iterations}};
+    return {{"work_n_mm", answer.work},    {"max_displacement_mm", answer.largest},
+            {"reactions", reactions},      {"probes", probes},
+            {"residual", answer.residual}, {"iterations", answer.iterations}};
 }
 
 struct Extremes {
@@ -113,8 +109,8 @@ void append_fields(const SheetAnswer& answer, const std::string& ending,
 }  // namespace
 
 void print_stress(const Console& console, const StressReport& report) {
-    console.say("{}\n", console.strong(report.load_case.title.empty() ? "Stress"
-                                                                      : report.load_case.title));
+    console.say("{}\n",
+                console.strong(report.load_case.title.empty() ? "Stress" : report.load_case.title));
     console.say("  {} elements, {} nodes, {} of {:.3g} mm\n", report.sheet.mesh.count(),
                 report.sheet.mesh.nodes.size(), kind_words(report.sheet), report.sheet.size);
     if (report.change_by_mesh)
@@ -122,8 +118,7 @@ void print_stress(const Console& console, const StressReport& report) {
                     100 * std::abs(*report.change_by_mesh));
     for (std::size_t s = 0; s < report.sheet.answers.size(); ++s) {
         if (report.sheet.answers.size() > 1)
-            console.say("\nCase {}, weight {:g}\n", s + 1,
-                        report.load_case.situations[s].weight);
+            console.say("\nCase {}, weight {:g}\n", s + 1, report.load_case.situations[s].weight);
         print_answer(console, report, report.sheet.answers[s]);
     }
 }
