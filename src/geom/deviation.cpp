@@ -8,13 +8,6 @@
 namespace bead {
 namespace {
 
-double segment_distance(Vec2 a, Vec2 b, Vec2 p) {
-    const Vec2 along = b - a;
-    const double square = dot(along, along);
-    const double t = square > 0 ? std::clamp(dot(p - a, along) / square, 0.0, 1.0) : 0;
-    return distance(p, a + t * along);
-}
-
 double box_distance(const Box2& box, Vec2 p) {
     return length(Vec2{std::max({box.low.x - p.x, 0.0, p.x - box.high.x}),
                        std::max({box.low.y - p.y, 0.0, p.y - box.high.y})});
@@ -61,6 +54,13 @@ class NearestPiece {
 };
 
 }  // namespace
+
+double segment_distance(Vec2 a, Vec2 b, Vec2 point) {
+    const Vec2 along = b - a;
+    const double square = dot(along, along);
+    const double t = square > 0 ? std::clamp(dot(point - a, along) / square, 0.0, 1.0) : 0;
+    return distance(point, a + t * along);
+}
 
 double line_distance(const Polyline& line, Vec2 point) {
     BEAD_EXPECTS(!line.empty());

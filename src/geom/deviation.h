@@ -10,7 +10,8 @@ namespace bead {
 // two of these it may stray farther by at most step / 2. Neither line may be empty.
 double deviation(const Polyline& line, const Polyline& reference, double step = 0.1);
 
-// Of one point from a line.
+// Of one point from a line, and from the segment between two points.
 double line_distance(const Polyline& line, Vec2 point);
+double segment_distance(Vec2 a, Vec2 b, Vec2 point);
 
 }  // namespace bead

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/expects.h"
+#include "geom/deviation.h"
 
 namespace bead {
 namespace {
@@ -62,10 +63,8 @@ void halve(const Nurbs& curve, double tolerance, double from, double to, int dep
     const Vec2 a = points.back(), b = curve_at(curve, to).point;
     double off = 0;
     for (const double part : {0.25, 0.5, 0.75}) {
-        const Vec2 p = curve_at(curve, std::lerp(from, to, part)).point, along = b - a;
-        const double square = dot(along, along);
-        const double t = square > 0 ? std::clamp(dot(p - a, along) / square, 0.0, 1.0) : 0;
-        off = std::max(off, distance(p, a + t * along));
+        const Vec2 p = curve_at(curve, std::lerp(from, to, part)).point;
+        off = std::max(off, segment_distance(a, b, p));
     }
     if (off <= tolerance || depth == 0) {
         points.push_back(b);
