@@ -21,6 +21,19 @@ double foretold(const CurvePlace& place, double chord) {
     return ahead - dot(place.first, place.second) * ahead * ahead / (2 * square);
 }
 
+// Where the chord has its length by its first and second derivative; none when it does not grow.
+std::optional<double> corrected(const Step& step, Vec2 way, double chord) {
+    const double far = length(way), off = far - chord;
+    const double slope = dot(way, step.place.first) / far;
+    if (slope <= 0) return std::nullopt;
+    const double bend =
+        (dot(step.place.first, step.place.first) + dot(way, step.place.second) - slope * slope) /
+        far;
+    const double square = slope * slope, rest = 0.5 * off * bend;
+    const double plain = off / slope;
+    return step.parameter - (std::abs(rest) < 0.5 * square ? plain / (1 - rest / square) : plain);
+}
+
 // Between `low`, where the chord is too short, and `high`, where it is too long or nothing is
 // known yet. None when the curve ends before the chord is reached.
 std::optional<Step> next_step(const Nurbs& curve, const Step& from, double chord,
@@ -43,12 +56,10 @@ std::optional<Step> next_step(const Nurbs& curve, const Step& from, double chord
             return next;
         (off < 0 ? low : high) = next.parameter;
         bounded = bounded || off > 0;
-        const double slope = dot(way, next.place.first) / far;
-        double to = slope > 0 ? next.parameter - off / slope : end + 1;
+        double to = corrected(next, way, chord).value_or(end + 1);
         if (!bounded) {
             const double farthest = next.parameter + 2 * (next.parameter - from.parameter);
-            to = std::min(slope > 0 ? to : farthest, farthest);
-            next.parameter = std::min(to, end);
+            next.parameter = std::min({to, farthest, end});
         } else {
             next.parameter = to > low && to < high ? to : 0.5 * (low + high);
         }

@@ -2,9 +2,10 @@
 // sent a point per period needs them to run at an even speed.
 //
 // The next parameter is foretold by Taylor's second order, u + L/|C'| - (C'·C'') L² / (2 |C'|⁴),
-// and corrected by Newton's steps on the chord's length; where such a step leaves the stretch that
-// is known to hold the answer, it is halved instead. There is one answer as long as L is less than
-// twice the least radius of curvature. The last chord, to the curve's end, is shorter.
+// and corrected by Newton's steps on the chord's length (with its second derivative: Halley's);
+// where such a step leaves the stretch that is known to hold the answer, it is halved instead.
+// There is one answer as long as L is less than twice the least radius of curvature. The last
+// chord, to the curve's end, is shorter.
 //
 //     const ChordWalk walk = equal_chords(curve, 0.5);
 //     const double uneven = speed_fluctuation(walk.points, 0.5);   // below 1e-6
