@@ -1,0 +1,47 @@
+// One layer's toolpath to one that lays the same beads and shakes the machine less.
+//
+// Stages, each of which may be left out: loops cleaned of needless points; curves found again in
+// polygons; nested loops wound into one stroke; the strokes put in an order and given seams for which
+// the travel between them, of arcs and straight lines, is short; corners rounded within a tolerance;
+// chords as long as a tolerance and the machine's modes allow. Every stroke deposits exactly what
+// its loops did. docs/smoothing.md.
+//
+//     const SmoothedLayer after = smoothed(layer, {.modes = {14, 22}});
+#pragma once
+#include <array>
+
+#include "geom/vec.h"
+#include "toolpath/path.h"
+
+namespace bead {
+
+struct SmoothTolerances {  // mm, between a corner and what rounds it
+    double outer_wall = 0.05, wall = 0.10, infill = 1.0, travel = 2.0;
+};
+
+struct SmoothStages {
+    bool clean = true, curves = true, chains = true, order = true, blends = true, chords = true;
+    bool bead_plan = false, thinning = false;
+};
+
+struct SmoothOptions {
+    SmoothTolerances tolerances;
+    SmoothStages stages;
+    std::array<double, 2> modes{14, 22};  // Hz, of X and Y
+    double acceleration = 1000;           // mm/s², across a bend
+    double point_budget = 1.2;            // the layer's points may grow by this factor
+    double turn_radius = 2;               // mm, of travel
+    double link = 3;                      // mm, from one nested loop to the next
+    Vec2 start{};                         // where the nozzle is before the layer
+};
+
+struct SmoothedLayer {
+    Toolpath path;  // travel included; one path per constant role, bead and speed
+    int chains = 0, links = 0, arcs = 0, blends = 0;
+    int kept = 0;  // strokes left as they were since a tolerance could not be kept
+};
+
+// A layer without anything deposited comes back as it is.
+SmoothedLayer smoothed(const Toolpath& layer, const SmoothOptions& options = {});
+
+}  // namespace bead
