@@ -1,10 +1,10 @@
 // One layer's toolpath to one that lays the same beads and shakes the machine less.
 //
 // Stages, each of which may be left out: loops cleaned of needless points; curves found again in
-// polygons; nested loops wound into one stroke; the strokes put in an order and given seams for which
-// the travel between them, of arcs and straight lines, is short; corners rounded within a tolerance;
-// chords as long as a tolerance and the machine's modes allow. Every stroke deposits exactly what
-// its loops did. docs/smoothing.md.
+// polygons; nested loops wound into one stroke; the strokes put in an order and given seams for
+// which the travel between them, of arcs and straight lines, is short; corners rounded within a
+// tolerance; chords as long as a tolerance and the machine's modes allow. Every stroke deposits
+// exactly what its loops did. docs/smoothing.md.
 //
 //     const SmoothedLayer after = smoothed(layer, {.modes = {14, 22}});
 #pragma once
