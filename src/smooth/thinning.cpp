@@ -13,6 +13,7 @@ namespace bead {
 namespace {
 
 constexpr double farthest = 10;  // mm; places farther from any bead are nobody's business
+constexpr double same = 1.01;    // a void that grows by no more counts as the same
 constexpr float nowhere = std::numeric_limits<float>::infinity();
 
 Polyline flattened(const Path& path) {
@@ -89,7 +90,7 @@ class Coverage {
 
     // How much worse its places are off without the loop; nothing if one would be out of reach.
     [[nodiscard]] std::optional<double> loss_without(std::size_t loop, double reach) const {
-        const double free = reach / 2;  // mm, no loss up to here
+        const double free = 0.75 * reach;  // mm, no loss up to here
         const auto worse = [&](double away) { return std::pow(std::max(0.0, away - free), 2); };
         double loss = 0;
         for (const NearPlace& near : near_[loop]) {
@@ -159,24 +160,43 @@ double section_of(const std::vector<Path>& paths, const std::vector<bool>& kept)
     return all / left;
 }
 
-// The loop that costs least per mm, without which the rest can still carry the volume.
-std::optional<std::size_t> most_dispensable(const Coverage& coverage,
-                                            const std::vector<Path>& paths,
-                                            const std::vector<bool>& kept, double most,
-                                            double reach) {
+struct Limits {
+    double reach = 0;         // mm
+    double most_section = 0;  // mm²
+};
+
+// What goes next: the loop whose places are least worse off per mm, or simply the longest.
+enum class Rule { least_loss, longest };
+
+std::optional<std::size_t> next_to_go(const Coverage& coverage, const std::vector<Path>& paths,
+                                      const std::vector<bool>& kept, const Limits& limits,
+                                      Rule rule) {
     std::optional<std::size_t> best;
-    double least = std::numeric_limits<double>::infinity();
+    double least = 0;
     for (std::size_t loop = 0; loop < paths.size(); ++loop) {
         if (!kept[loop]) continue;
         std::vector<bool> rest = kept;
         rest[loop] = false;
-        if (section_of(paths, rest) > most) continue;
-        const std::optional<double> loss = coverage.loss_without(loop, reach);
-        if (!loss || *loss / length(paths[loop]) >= least) continue;
-        least = *loss / length(paths[loop]);
+        if (section_of(paths, rest) > limits.most_section) continue;
+        const std::optional<double> loss = coverage.loss_without(loop, limits.reach);
+        if (!loss) continue;
+        const double saved = length(paths[loop]);
+        const double cost = rule == Rule::longest ? -saved : *loss / saved;
+        if (best && cost >= least) continue;
+        least = cost;
         best = loop;
     }
     return best;
+}
+
+std::vector<bool> kept_by(Rule rule, Coverage coverage, const std::vector<Path>& paths,
+                          const Limits& limits) {
+    std::vector<bool> kept(paths.size(), true);
+    while (const auto loop = next_to_go(coverage, paths, kept, limits, rule)) {
+        coverage.leave_out(*loop);
+        kept[*loop] = false;
+    }
+    return kept;
 }
 
 }  // namespace
@@ -195,15 +215,14 @@ Toolpath thinned(const Toolpath& layer, const ThinningOptions& options) {
     const Bead bead = paths.front().bead;
     if (bead.height <= 0 || bead.width <= 0) return joined(std::move(strokes));
 
-    Coverage coverage(strokes, loops, options.pitch,
-                      std::max(options.void_radius, void_bound(strokes)));
-    const double reach = options.void_radius > 0 ? options.void_radius : coverage.void_radius();
-    const double most = section({options.widest * options.nozzle, bead.height}) + 1e-9;
-    std::vector<bool> kept(loops.size(), true);
-    while (const auto loop = most_dispensable(coverage, paths, kept, most, reach)) {
-        coverage.leave_out(*loop);
-        kept[*loop] = false;
-    }
+    const Coverage coverage(strokes, loops, options.pitch,
+                            std::max(options.void_radius, void_bound(strokes)));
+    const Limits limits{
+        options.void_radius > 0 ? options.void_radius : same * coverage.void_radius(),
+        section({options.widest * options.nozzle, bead.height}) + 1e-9};
+    std::vector<bool> kept = kept_by(Rule::least_loss, coverage, paths, limits);
+    const std::vector<bool> other = kept_by(Rule::longest, coverage, paths, limits);
+    if (section_of(paths, other) > section_of(paths, kept)) kept = other;
     if (std::ranges::count(kept, false) == 0) return joined(std::move(strokes));
     const double wide = section_of(paths, kept);
     for (std::size_t i = 0; i < loops.size(); ++i) {

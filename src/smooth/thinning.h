@@ -1,7 +1,7 @@
 // Fewer, wider infill loops that leave no larger holes: whole loops are left out as long as every
 // place of the layer stays within the same distance of a bead, and the loops that remain get the
-// volume of all. Which one goes next: the one whose places are least worse off per mm that is
-// saved.
+// volume of all. The loops go one by one, once those first whose places are least worse off per mm
+// that is saved, once the longest first; the way that saves more counts.
 #pragma once
 #include "toolpath/path.h"
 
@@ -9,7 +9,7 @@ namespace bead {
 
 struct ThinningOptions {
     double void_radius = 0;  // mm; the farthest that a place may lie from the middle of a bead.
-                             // 0: as far as the farthest does without thinning
+                             // 0: as far as the farthest does without thinning, to 1 %
     double nozzle = 0.4;     // mm
     double widest = 2;       // nozzles; no bead is made wider
     double max_flow = 8;     // mm³/s; a wide bead is laid more slowly rather than with more
