@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "geom/deviation.h"
+
 namespace bead {
 namespace {
 
@@ -15,13 +17,6 @@ void for_each_loop(const Region& region, const Visit& visit) {
 }
 
 }  // namespace
-
-double segment_distance(Vec2 a, Vec2 b, Vec2 point) {
-    const Vec2 along = b - a;
-    const double square = dot(along, along);
-    const double t = square > 0 ? std::clamp(dot(point - a, along) / square, 0.0, 1.0) : 0.0;
-    return distance(point, a + t * along);
-}
 
 double length(std::span<const Vec2> line) {
     double sum = 0;

@@ -19,10 +19,9 @@ struct Polygon {
 
 using Region = std::vector<Polygon>;  // pairwise disjoint
 
-double segment_distance(Vec2 a, Vec2 b, Vec2 point);  // from the point to the line from a to b
-double length(std::span<const Vec2> line);            // of an open line
-double loop_length(std::span<const Vec2> loop);       // closing edge included
-double perimeter(const Region& region);               // of all outlines and holes
+double length(std::span<const Vec2> line);       // of an open line
+double loop_length(std::span<const Vec2> loop);  // closing edge included
+double perimeter(const Region& region);          // of all outlines and holes
 
 double signed_area(std::span<const Vec2> loop);  // positive when counter-clockwise
 double area(const Polygon& polygon);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/expects.h"
+#include "geom/deviation.h"
 
 namespace bead {
 namespace {
