@@ -1,0 +1,83 @@
+#include "strength/strength.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "strength/anisotropic.h"
+#include "strength/progressive.h"
+
+namespace bead {
+namespace {
+
+constexpr double pixels_per_bead = 6;
+
+double mean_volume(std::span<const Toolpath> layers) {
+    double sum = 0;
+    for (const Toolpath& layer : layers)
+        for (const Path& path : layer) sum += volume(path);
+    return layers.empty() ? 0 : sum / static_cast<double>(layers.size());
+}
+
+double covered_area(const PixelModel& model) {
+    double sum = 0;
+    for (const double share : model.factor) sum += share;
+    return sum * model.grid.size * model.grid.size;
+}
+
+void weigh(Strength& strength, std::span<const Toolpath> layers, const LoadCase& load_case) {
+    strength.volume = mean_volume(layers) * load_case.thickness / load_case.print.layer_height;
+    strength.mass = strength.volume * load_case.material.density / 1000;
+}
+
+void test_variant(Strength& strength, const TestRig& rig, std::size_t v,
+                  const StrengthOptions& options) {
+    const double force = total_force(rig.variants()[v].loads);
+    const Tested tested = rig.tested(v);
+    const double failure = tested.factor() * force;
+    strength.stiffness = std::min(strength.stiffness, force * force / tested.work);
+    if (failure < strength.failure_load) {
+        strength.failure_load = failure;
+        strength.weakest = rig.model().grid.centre(tested.weakest);
+    }
+    if (options.buckling) {
+        const std::vector<BucklingMode> modes = rig.modes(v, tested.displacement, 1);
+        if (!modes.empty() && modes.front().factor * force < strength.buckling_load) {
+            strength.buckling_load = modes.front().factor * force;
+            strength.buckling_factor = modes.front().factor;
+        }
+    }
+    if (options.progressive)
+        strength.peak_load =
+            std::min(strength.peak_load.value_or(std::numeric_limits<double>::infinity()),
+                     peak_factor(rig, v, tested) * force);
+}
+
+}  // namespace
+
+int layer_count(const LoadCase& load_case) {
+    return std::max(
+        1, static_cast<int>(std::lround(load_case.thickness / load_case.print.layer_height)));
+}
+
+Strength strength_of(std::span<const Toolpath> layers, const LoadCase& load_case,
+                     const StrengthOptions& options) {
+    Strength strength;
+    weigh(strength, layers, load_case);
+    const double pixel =
+        options.pixel > 0 ? options.pixel : load_case.print.bead_width / pixels_per_bead;
+    const std::optional<TestRig> rig = TestRig::of(layers, load_case, {.pixel = pixel});
+    if (!rig) return strength;
+    strength.holds = true;
+    strength.covered = covered_area(rig->model());
+    constexpr double endless = std::numeric_limits<double>::infinity();
+    strength.stiffness = strength.failure_load = strength.buckling_load = endless;
+    for (std::size_t v = 0; v < rig->variants().size(); ++v)
+        test_variant(strength, *rig, v, options);
+    if (strength.buckling_load == endless) strength.buckling_load = strength.buckling_factor = 0;
+    if (options.anisotropic)
+        strength.anisotropic_load = anisotropic_failure_load(layers, load_case, *rig);
+    return strength;
+}
+
+}  // namespace bead
