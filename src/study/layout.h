@@ -1,0 +1,41 @@
+// The lines that one layer of a reinforced part is made of, each with what it is for. All beads
+// have one width; a bead counts as a rectangle, so the deposited area is length times width.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "fem/load_case.h"
+#include "toolpath/path.h"
+
+namespace bead {
+
+enum class LineKind : std::uint8_t {
+    wall,
+    pad,          // solid, under loads and supports
+    tensile,      // along the first principal stress
+    compressive,  // along the second
+    brace,        // against buckling
+    patch,        // beside a line where it would break first
+};
+inline constexpr std::array<std::string_view, 6> line_kind_names{"wall",        "pad",   "tensile",
+                                                                 "compressive", "brace", "patch"};
+
+struct LayoutLine {
+    LineKind kind = LineKind::wall;
+    std::vector<Vec2> points;  // closed lines repeat their first point
+};
+
+using Layout = std::vector<LayoutLine>;
+
+double deposited_area(const Layout& layout, double bead_width);  // mm², overlaps counted twice
+double deposited_area(const Layout& layout, double bead_width, LineKind kind);
+
+// A bead of the case's height whose cross-section is that of the rectangle width × height.
+Bead printed_bead(const PrintWish& print);
+
+// As a layer at z = 0, in the layout's order and without travel: what the test judges.
+Toolpath layer_of(const Layout& layout, const PrintWish& print);
+
+}  // namespace bead
