@@ -41,7 +41,7 @@ void test_variant(Strength& strength, const TestRig& rig, std::size_t v,
         strength.weakest = rig.model().grid.centre(tested.weakest);
     }
     if (options.buckling) {
-        const std::vector<BucklingMode> modes = rig.modes(v, tested.displacement, 1);
+        const std::vector<BucklingMode> modes = rig.modes(v, tested.displacement, {.count = 1});
         if (!modes.empty() && modes.front().factor * force < strength.buckling_load) {
             strength.buckling_load = modes.front().factor * force;
             strength.buckling_factor = modes.front().factor;

@@ -102,9 +102,7 @@ Tested TestRig::tested(std::size_t variant) const {
 }
 
 std::vector<BucklingMode> TestRig::modes(std::size_t variant, std::span<const double> displacement,
-                                         int count) const {
-    BucklingOptions options;
-    options.count = count;
+                                         const BucklingOptions& options) const {
     return buckling(solver(variant), displacement, options).modes;
 }
 

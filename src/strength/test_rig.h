@@ -52,7 +52,7 @@ class TestRig {
                                 std::size_t variant) const;
     [[nodiscard]] std::vector<BucklingMode> modes(std::size_t variant,
                                                   std::span<const double> displacement,
-                                                  int count) const;
+                                                  const BucklingOptions& options) const;
 
   private:
     TestRig() = default;

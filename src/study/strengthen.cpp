@@ -1,0 +1,155 @@
+#include "study/strengthen.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "study/braces.h"
+#include "study/patches.h"
+
+namespace bead {
+namespace {
+
+constexpr int most_steps = 60;
+constexpr double worse = 0.985;          // of the failure factor, below which a patch is taken back
+constexpr double fruitful = 1.003;       // of it, that a patch step shall reach
+constexpr int patience = 2;              // fruitless patch steps in a row
+constexpr double mode_tolerance = 0.01;  // of the lowest factor, on the way
+constexpr double other_tolerance = 0.2;  // of those above it
+constexpr double overdraw = 0.004;       // of the area, that patches may exceed it by
+
+// A layout under test: all variants.
+struct Trial {
+    TestRig rig;
+    std::vector<Tested> tested;
+    std::vector<double> index;  // the highest of the variants
+    double failure = 0;
+};
+
+std::optional<Trial> trial_of(const LoadCase& load_case, const Layout& layout, double pixel) {
+    const Toolpath layer = layer_of(layout, load_case.print);
+    std::optional<TestRig> rig = TestRig::of({&layer, 1}, load_case, {.pixel = pixel});
+    if (!rig) return std::nullopt;
+    Trial trial{std::move(*rig), {}, {}, std::numeric_limits<double>::infinity()};
+    trial.index.assign(trial.rig.model().factor.size(), 0.0);
+    for (std::size_t v = 0; v < trial.rig.variants().size(); ++v) {
+        trial.tested.push_back(trial.rig.tested(v));
+        const Tested& tested = trial.tested.back();
+        trial.failure = std::min(trial.failure, tested.factor());
+        for (std::size_t p = 0; p < trial.index.size(); ++p)
+            trial.index[p] = std::max(trial.index[p], tested.index[p]);
+    }
+    return trial;
+}
+
+class Loop {
+  public:
+    Loop(const LoadCase& load_case, Layout layout, const StrengthenOptions& options)
+        : case_(load_case), options_(options), trial_(trial_of(load_case, layout, options.pixel)) {
+        result_.layout = std::move(layout);
+        if (!trial_) return;
+        find_modes();
+        note(false, 0);
+    }
+
+    Strengthened run() && {
+        for (int step = 0; trial_ && step < most_steps && left() > options_.full * options_.area;
+             ++step) {
+            const bool breaks_first = buckling_ >= options_.margin * trial_->failure;
+            if (breaks_first && fruitless_ < patience)
+                patch();
+            else if (!brace())
+                break;
+        }
+        return std::move(result_);
+    }
+
+  private:
+    double area() const { return deposited_area(result_.layout, case_.print.bead_width); }
+    double left() const { return options_.area - area(); }
+
+    void find_modes() {
+        const std::vector<VariantModes> before = std::exchange(modes_, {});
+        buckling_ = std::numeric_limits<double>::infinity();
+        for (std::size_t v = 0; v < trial_->tested.size(); ++v) {
+            BucklingOptions how{
+                .count = options_.modes, .tolerance = mode_tolerance, .others = other_tolerance};
+            if (!before.empty())
+                for (const BucklingMode& mode : before[v].modes) how.start.push_back(mode.shape);
+            modes_.push_back({v, trial_->rig.modes(v, trial_->tested[v].displacement, how)});
+            if (!modes_.back().modes.empty())
+                buckling_ = std::min(buckling_, modes_.back().modes.front().factor);
+        }
+        modes_are_of_trial_ = true;
+    }
+
+    void note(bool braces, std::size_t lines) {
+        result_.steps.push_back({braces, lines, area(), trial_->failure, buckling_});
+    }
+
+    void take(std::optional<Trial> next, Layout more) {
+        trial_ = std::move(next);
+        modes_are_of_trial_ = false;
+        result_.layout.insert(result_.layout.end(), more.begin(), more.end());
+    }
+
+    void patch() {
+        const double budget = std::min(options_.patch_step * options_.area, left());
+        const std::optional<Layout> more = patch_lines(result_.layout, trial_->rig.model(),
+                                                       trial_->index, case_, {.area = budget});
+        if (!more ||
+            deposited_area(*more, case_.print.bead_width) > left() + overdraw * options_.area) {
+            ++fruitless_;
+            return;
+        }
+        Layout with = result_.layout;
+        with.insert(with.end(), more->begin(), more->end());
+        std::optional<Trial> next = trial_of(case_, with, options_.pixel);
+        const double before = trial_->failure;
+        if (!next || next->failure < worse * before) {
+            ++fruitless_;
+            return;
+        }
+        take(std::move(next), *more);
+        fruitless_ = trial_->failure < fruitful * before ? fruitless_ + 1 : 0;
+        if (buckling_ < options_.margin * trial_->failure) find_modes();
+        note(false, more->size());
+    }
+
+    bool brace() {
+        if (!modes_are_of_trial_) find_modes();
+        BraceOptions how;
+        how.area = std::min(options_.brace_step * options_.area, left());
+        how.shortest = options_.shortest_brace;
+        const Layout more = braces(trial_->rig, case_, modes_, how);
+        if (more.empty()) return false;
+        Layout with = result_.layout;
+        with.insert(with.end(), more.begin(), more.end());
+        std::optional<Trial> next = trial_of(case_, with, options_.pixel);
+        if (!next) return false;
+        take(std::move(next), more);
+        find_modes();
+        fruitless_ = std::max(fruitless_ - 1, 0);
+        note(true, more.size());
+        return true;
+    }
+
+    const LoadCase& case_;
+    StrengthenOptions options_;
+    std::optional<Trial> trial_;
+    std::vector<VariantModes> modes_;
+    bool modes_are_of_trial_ = false;
+    double buckling_ = 0;
+    int fruitless_ = 0;
+    Strengthened result_;
+};
+
+}  // namespace
+
+Strengthened strengthened(const LoadCase& load_case, Layout layout,
+                          const StrengthenOptions& options) {
+    return Loop(load_case, std::move(layout), options).run();
+}
+
+}  // namespace bead

@@ -1,0 +1,36 @@
+// The rest of the bead, spent where a test says: braces while the structure would buckle before it
+// breaks, patches at the hot spots while it would break before it buckles, tested again after each
+// handful.
+#pragma once
+#include <vector>
+
+#include "study/layout.h"
+
+namespace bead {
+
+struct StrengthenOptions {
+    double area = 0;      // mm², all beads
+    double pixel = 0.15;  // mm, of the tests on the way
+    int modes = 6;
+    double margin = 1.05;  // buckling shall come this much later than breaking
+    double brace_step = 0.009, patch_step = 0.005;  // of the area, per test
+    double full = 0.0035;                           // of the area: what is not worth another step
+    double shortest_brace = 2.5;                    // mm
+};
+
+struct StrengthenStep {
+    bool braces = false;  // else patches; the first step is neither
+    std::size_t lines = 0;
+    double area = 0;                                 // mm², after it
+    double failure_factor = 0, buckling_factor = 0;  // of the loads
+};
+
+struct Strengthened {
+    Layout layout;
+    std::vector<StrengthenStep> steps;
+};
+
+Strengthened strengthened(const LoadCase& load_case, Layout layout,
+                          const StrengthenOptions& options);
+
+}  // namespace bead
