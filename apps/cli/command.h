@@ -11,6 +11,8 @@ void add_simulate(CLI::App& app);
 void add_energy(CLI::App& app);
 void add_post_process(CLI::App& app);
 void add_stress(CLI::App& app);
+void add_reinforce(CLI::App& app);
+void add_strength(CLI::App& app);
 void add_calibrate(CLI::App& app);
 void add_replay(CLI::App& app);
 void add_vibration(CLI::App& app);

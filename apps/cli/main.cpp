@@ -61,6 +61,8 @@ int main(int argc, char** argv) {
     bead::cli::add_energy(app);
     bead::cli::add_post_process(app);
     bead::cli::add_stress(app);
+    bead::cli::add_reinforce(app);
+    bead::cli::add_strength(app);
     bead::cli::add_calibrate(app);
     bead::cli::add_replay(app);
     bead::cli::add_vibration(app);

@@ -20,6 +20,9 @@ Material read_material(const DataFile& data, const Material& usually) {
     m.bed = file.number("bed_c", usually.bed, celsius);
     m.heat_capacity = file.number("heat_capacity_j_gk", usually.heat_capacity, not_negative);
     m.latent = file.number("latent_j_g", usually.latent, not_negative);
+    // What solid_material_file.h reads.
+    for (const std::string_view key : {"young_mpa", "poisson", "tensile_mpa", "compressive_mpa"})
+        file.ignore(key);
     file.finish();
     return m;
 }

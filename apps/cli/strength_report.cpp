@@ -1,0 +1,82 @@
+#include "strength_report.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "job/solid_material_file.h"
+#include "study/reinforce.h"
+
+namespace bead::cli {
+
+void print_strengths(const Console& console, std::vector<NamedStrength> designs) {
+    std::ranges::stable_sort(designs, std::greater{}, [](const NamedStrength& design) {
+        return strength_to_weight(design.strength);
+    });
+    console.say("{:<30} {:>8} {:>9} {:>9} {:>9} {:>9}\n", "design", "g", "N/mm", "breaks N",
+                "buckles N", "N/g");
+    for (const auto& [name, s, is_baseline] : designs) {
+        if (!s.holds) {
+            console.say("{:<30} {:>8.2f} holds nothing: loads and supports do not hang together\n",
+                        name, s.mass);
+            continue;
+        }
+        console.say("{:<30} {:>8.3f} {:>9.1f} {:>9.1f} {:>9.1f} {:>9.2f}\n", name, s.mass,
+                    s.stiffness, s.failure_load, s.buckling_load, strength_to_weight(s));
+    }
+}
+
+Json strength_json(const NamedStrength& design) {
+    const Strength& s = design.strength;
+    Json json{{"name", design.name},
+              {"baseline", design.is_baseline},
+              {"holds", s.holds},
+              {"mass_g", s.mass},
+              {"volume_mm3", s.volume},
+              {"covered_mm2", s.covered},
+              {"stiffness_n_mm", s.stiffness},
+              {"failure_load_n", s.failure_load},
+              {"weakest_mm", {s.weakest.x, s.weakest.y}},
+              {"buckling_factor", s.buckling_factor},
+              {"buckling_load_n", s.buckling_load},
+              {"bears_n", s.bears()},
+              {"strength_to_weight", strength_to_weight(s)}};
+    if (s.peak_load) json["peak_load_n"] = *s.peak_load;
+    if (s.anisotropic_load) json["anisotropic_failure_load_n"] = *s.anisotropic_load;
+    return json;
+}
+
+void declare(CLI::App& command, CaseOptions& options) {
+    command.add_option("CASE", options.file, "CASE.toml: a part, its supports and loads")
+        ->required();
+    command
+        .add_option("--fill", options.fill,
+                    "deposited volume over solid volume, instead of the case's")
+        ->check(CLI::Range(0.01, 1.0));
+    command
+        .add_option("--solid", options.solid,
+                    "compute with this material's strength instead of the case's: abs, pla, petg, "
+                    "17-4ph, 316l or FILE.toml")
+        ->type_name("NAME|FILE.toml");
+    command
+        .add_option("--range", options.range,
+                    "degrees and mm by which every load may turn and move; the worst counts")
+        ->type_name("DEG MM")
+        ->expected(2)
+        ->check(CLI::Range(0.0, 1000.0));
+}
+
+LoadCase case_of(const CaseOptions& options) {
+    LoadCase load_case = read_plane_case(options.file);
+    if (options.fill > 0) load_case.print.fill = options.fill;
+    if (!options.solid.empty()) load_case.material = load_solid_material(options.solid);
+    if (options.range.size() == 2)
+        for (Situation& situation : load_case.situations)
+            for (Load& load : situation.loads) {
+                load.turn = options.range[0] * pi / 180;
+                load.move = options.range[1];
+            }
+    check_printable(load_case, options.file);
+    return load_case;
+}
+
+}  // namespace bead::cli

@@ -1,0 +1,25 @@
+#include "job/solid_material_file.h"
+
+#include "core/error.h"
+#include "job/data_file.h"
+#include "job/toml_reader.h"
+
+namespace bead {
+
+SolidMaterial load_solid_material(const std::string& name_or_file) {
+    const DataFile data = data_file("material", name_or_file);
+    TomlReader file(data.text, data.place);
+    if (!file.place_of("tensile_mpa"))
+        throw Error(data.place +
+                    ": says nothing of strength; add young_mpa, poisson, tensile_mpa and "
+                    "compressive_mpa");
+    SolidMaterial m;
+    m.young = file.number("young_mpa", m.young, positive);
+    m.poisson = file.number("poisson", m.poisson, {.low = 0, .high = 0.49});
+    m.tensile = file.number("tensile_mpa", m.tensile, positive);
+    m.compressive = file.number("compressive_mpa", m.tensile, positive);
+    m.density = file.number("density_g_cm3", m.density, positive);
+    return m;
+}
+
+}  // namespace bead

@@ -1,0 +1,13 @@
+// The strength of materials, by name or from a file: the keys young_mpa, poisson, tensile_mpa and
+// compressive_mpa of a material's TOML (data/materials, each with its source).
+#pragma once
+#include <string>
+
+#include "fem/load_case.h"
+
+namespace bead {
+
+// Throws Error for an unknown name, and for a material of which the strength is not known.
+SolidMaterial load_solid_material(const std::string& name_or_file);
+
+}  // namespace bead
