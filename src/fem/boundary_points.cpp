@@ -11,13 +11,25 @@ namespace {
 
 constexpr double same_place = 1e-6;  // mm
 constexpr double on_circle = 0.01;   // mm
+constexpr double straight = 1e-4;    // rad
+
+// A sharp turn, or a slight one between sides that are longer than elements: no curve then.
+bool is_corner(const MeasuredLoop& loop, std::size_t i, const SizeField& sizes) {
+    const double turn = std::abs(turn_at(loop, i));
+    if (turn > corner_turn) return true;
+    const std::size_t n = loop.points.size();
+    const Vec2 p = loop.points[i];
+    const double shorter =
+        std::min(distance(loop.points[(i + n - 1) % n], p), distance(p, loop.points[(i + 1) % n]));
+    return turn > straight && shorter > sizes.at(p);
+}
 
 // Corners and ends of stretches on one loop, in its order; never none.
 std::vector<double> breaks_of(const MeasuredLoop& loop, std::size_t number,
-                              const std::vector<BoundarySpan>& stretches) {
+                              const std::vector<BoundarySpan>& stretches, const SizeField& sizes) {
     std::vector<double> breaks;
     for (std::size_t i = 0; i < loop.points.size(); ++i)
-        if (std::abs(turn_at(loop, i)) > corner_turn) breaks.push_back(loop.at[i]);
+        if (is_corner(loop, i, sizes)) breaks.push_back(loop.at[i]);
     for (const BoundarySpan& span : stretches) {
         if (span.loop != number) continue;
         for (const double end : {span.from, span.to}) breaks.push_back(std::fmod(end, loop.length));
@@ -101,7 +113,7 @@ Boundary boundary_of(std::vector<MeasuredLoop> loops, std::vector<Circle> circle
     Boundary boundary{std::move(loops), std::move(circles), {}, {}};
     for (std::size_t n = 0; n < boundary.loops.size(); ++n) {
         const MeasuredLoop& loop = boundary.loops[n];
-        const std::vector<double> breaks = breaks_of(loop, n, stretches);
+        const std::vector<double> breaks = breaks_of(loop, n, stretches, sizes);
         const int first = int(boundary.points.size());
         for (std::size_t k = 0; k < breaks.size(); ++k) {
             const double to = k + 1 < breaks.size() ? breaks[k + 1] : breaks.front() + loop.length;

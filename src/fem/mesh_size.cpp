@@ -73,6 +73,12 @@ void SizeField::add(Vec2 place, double size) {
     if (size < 0.95 * wanted_.size && at(place) > 1.1 * size) sources_.push_back({place, size});
 }
 
+double SizeField::least() const {
+    double size = wanted_.size;
+    for (const Source& source : sources_) size = std::min(size, source.size);
+    return size;
+}
+
 double SizeField::at(Vec2 p) const {
     double size = wanted_.size;
     for (const Source& source : sources_)

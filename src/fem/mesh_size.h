@@ -21,6 +21,7 @@ class SizeField {
   public:
     SizeField(const std::vector<MeasuredLoop>& loops, const MeshSizes& wanted);
     [[nodiscard]] double at(Vec2 p) const;
+    [[nodiscard]] double least() const;
 
   private:
     struct Source {

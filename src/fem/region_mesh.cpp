@@ -15,6 +15,8 @@ using Triangles = std::vector<std::array<int, 3>>;
 
 constexpr int smoothings = 8;
 constexpr int most_repairs = 25;
+constexpr double half_level =
+    1.189207115002721;         // 2^(1/4); lattices are a factor of its square apart
 constexpr double flat = 1e-5;  // area of a triangle that is none, of its longest side's square
 
 // Points by the square cell that they lie in.
@@ -60,6 +62,7 @@ class Mesher {
   private:
     void fill();
     void fill_level(double spacing, Bins& taken);
+    void fill_block(const Box2& block, double spacing, Bins& taken);
     void smooth();
     bool repair();
     void triangulate();
@@ -94,15 +97,31 @@ bool Mesher::is_clear_of_boundary(Vec2 p, double far) const {
     return true;
 }
 
+// The lattice is looked at block by block, for most of the part wants another level's spacing.
 void Mesher::fill_level(double spacing, Bins& taken) {
     const Box2 box = bounds(outline_);
+    const double block = std::max(wanted_.size, 4 * spacing);
+    const double spread = wanted_.growth * block;
+    for (double y = box.low.y; y < box.high.y; y += block)
+        for (double x = box.low.x; x < box.high.x; x += block) {
+            const double size = sizes_.at({x + block / 2, y + block / 2});
+            if (size + spread < spacing / half_level || size - spread >= spacing * half_level)
+                continue;
+            fill_block({{x, y}, {std::min(x + block, box.high.x), std::min(y + block, box.high.y)}},
+                       spacing, taken);
+        }
+}
+
+void Mesher::fill_block(const Box2& block, double spacing, Bins& taken) {
+    const Vec2 origin = bounds(outline_).low;
     const double step = std::sqrt(0.75) * spacing;
-    const double half_level = std::pow(2.0, 0.25);
-    int row = 0;
-    for (double y = box.low.y + step; y < box.high.y; y += step, ++row)
-        for (double x = box.low.x + (row % 2 == 0 ? 0.5 : 1.0) * spacing; x < box.high.x;
-             x += spacing) {
-            const Vec2 p{x, y};
+    const auto first = [](double from, double pitch) { return long(std::ceil(from / pitch)); };
+    for (long j = std::max(1L, first(block.low.y - origin.y, step));
+         origin.y + double(j) * step < block.high.y; ++j) {
+        const double shift = origin.x + (j % 2 == 1 ? 0.5 : 1.0) * spacing;
+        for (long i = std::max(0L, first(block.low.x - shift, spacing));
+             shift + double(i) * spacing < block.high.x; ++i) {
+            const Vec2 p{shift + double(i) * spacing, origin.y + double(j) * step};
             const double size = sizes_.at(p);
             if (size < spacing / half_level || size >= spacing * half_level) continue;
             if (!contains(outline_, p) || taken.has_near(p, 0.7 * size)) continue;
@@ -110,13 +129,14 @@ void Mesher::fill_level(double spacing, Bins& taken) {
             taken.add(p);
             inner_.push_back(p);
         }
+    }
 }
 
 void Mesher::fill() {
     outline_ = boundary_.region();
     Bins taken(bounds(outline_), wanted_.size / 2);
-    const double least = wanted_.least * wanted_.size / 1.2;
-    for (double spacing = wanted_.size; spacing > least; spacing /= std::sqrt(2.0))
+    for (double spacing = wanted_.size; spacing * half_level > sizes_.least();
+         spacing /= half_level * half_level)
         fill_level(spacing, taken);
 }
 

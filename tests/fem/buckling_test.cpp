@@ -53,7 +53,9 @@ TEST(Buckling, ModesAreOrthonormalInEnergyAndSolveTheirEquation) {
             EXPECT_NEAR(test::product(b.modes[j].shape, k), i == j ? 1 : 0, 1e-6);
         const PixelVector g = geometric_forces(model, u, shape);
         EXPECT_NEAR(-b.modes[i].factor * test::product(shape, g), 1, 1e-5);
-        if (i > 0) EXPECT_GT(b.modes[i].factor, b.modes[i - 1].factor);
+        if (i > 0) {
+            EXPECT_GT(b.modes[i].factor, b.modes[i - 1].factor);
+        }
     }
 }
 

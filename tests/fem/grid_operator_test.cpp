@@ -32,8 +32,8 @@ std::vector<double> textbook_cube(double lambda, double mu, double size) {
             for (int n = 0; n < 8; ++n)
                 for (int a = 0; a < 3; ++a)
                     for (int b = 0; b < 3; ++b) {
-                        double value = lambda * slope[m][a] * slope[n][b] +
-                                       mu * slope[m][b] * slope[n][a];
+                        double value =
+                            lambda * slope[m][a] * slope[n][b] + mu * slope[m][b] * slope[n][a];
                         if (a == b)
                             for (int c = 0; c < 3; ++c) value += mu * slope[m][c] * slope[n][c];
                         k[std::size_t((3 * m + a) * 24 + 3 * n + b)] += weight * value;
@@ -51,15 +51,16 @@ struct Cubes {
 
 Cubes cubes(std::array<int, 3> n, unsigned seed) {
     const double lambda = 1.3, mu = 0.7, size = 0.5;
-    Cubes c{{3, n, {}, {}, lambda * size, mu * size}, {3, 8, {}, {}},
-            textbook_cube(lambda, mu, size), {}};
+    Cubes c{{3, n, {}, {}, lambda * size, mu * size},
+            {3, 8, {}, {}},
+            textbook_cube(lambda, mu, size),
+            {}};
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> uniform(0, 1);
     const int nx = n[0] + 1, ny = n[1] + 1;
     for (int z = 0; z <= n[2]; ++z)
         for (int y = 0; y < ny; ++y)
-            for (int x = 0; x < nx; ++x)
-                c.pattern.places.push_back({float(x), float(y), float(z)});
+            for (int x = 0; x < nx; ++x) c.pattern.places.push_back({float(x), float(y), float(z)});
     for (int z = 0; z < n[2]; ++z)
         for (int y = 0; y < n[1]; ++y)
             for (int x = 0; x < n[0]; ++x) {

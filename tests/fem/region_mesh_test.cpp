@@ -28,7 +28,8 @@ double worst_shape(const PlaneMesh& mesh) {
     for (std::size_t e = 0; e < mesh.count(); ++e) {
         const auto p = mesh.places(e);
         const Vec2 a = p[1] - p[0], b = p[2] - p[1], c = p[0] - p[2];
-        worst = std::min(worst, 2 * std::sqrt(3.0) * cross(a, b) / (dot(a, a) + dot(b, b) + dot(c, c)));
+        worst =
+            std::min(worst, 2 * std::sqrt(3.0) * cross(a, b) / (dot(a, a) + dot(b, b) + dot(c, c)));
     }
     return worst;
 }
@@ -45,8 +46,7 @@ void expect_closed(const PlaneMesh& mesh) {
         open += sides.contains({side.second, side.first}) ? 0 : 1;
     }
     EXPECT_EQ(open, mesh.sides.size());
-    for (const MeshSide& side : mesh.sides)
-        EXPECT_TRUE(sides.contains({side.begin, side.end}));
+    for (const MeshSide& side : mesh.sides) EXPECT_TRUE(sides.contains({side.begin, side.end}));
 }
 
 TEST(RegionMesh, FillsARectangle) {
@@ -70,10 +70,11 @@ TEST(RegionMesh, RoundHolesAreRound) {
     ASSERT_TRUE(mesh);
     expect_closed(*mesh);
     EXPECT_NEAR(area_of(*mesh), 1200 - 36 * pi, 1e-3);  // quadratic arcs: 1e-6 of the hole's area
-    for (const MeshSide& side : mesh->sides)
-        if (side.loop == 1)
-            for (const int node : {side.begin, side.end, side.middle})
-                EXPECT_NEAR(distance(mesh->nodes[std::size_t(node)], {20, 15}), 6, 1e-12);
+    for (const MeshSide& side : mesh->sides) {
+        if (side.loop != 1) continue;
+        for (const int node : {side.begin, side.end, side.middle})
+            EXPECT_NEAR(distance(mesh->nodes[std::size_t(node)], {20, 15}), 6, 1e-12);
+    }
 }
 
 RC_GTEST_PROP(RegionMesh, MeetsAnyBoundary, (unsigned seed)) {
@@ -82,7 +83,8 @@ RC_GTEST_PROP(RegionMesh, MeetsAnyBoundary, (unsigned seed)) {
     std::uniform_real_distribution<double> uniform(0.6, 1);
     Polyline outer, hole;
     const int corners = 5 + int(seed % 12);
-    for (int i = 0; i < corners; ++i) outer.push_back(20 * uniform(random) * unit(2 * pi * i / corners));
+    for (int i = 0; i < corners; ++i)
+        outer.push_back(20 * uniform(random) * unit(2 * pi * i / corners));
     for (int i = 0; i < 6; ++i) hole.push_back(7 * uniform(random) * unit(-2 * pi * i / 6));
     const Region part{{outer, {hole}}};
     const auto mesh = region_mesh(part, {}, {}, {.size = 2.5});

@@ -22,8 +22,7 @@ inline PixelModel random_sheet(int columns, int rows, unsigned seed) {
     PixelModel model = sheet(columns, rows, 0.5);
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> uniform(0, 1);
-    for (double& factor : model.factor)
-        factor = uniform(random) < 0.25 ? 0 : 0.5 + uniform(random);
+    for (double& factor : model.factor) factor = uniform(random) < 0.25 ? 0 : 0.5 + uniform(random);
     const Vec2 first[]{model.grid.centre(0)};
     model.factor[0] = 1;
     for (int i = 0; i < columns; ++i) model.factor[model.grid.pixel(i, 0)] = 1;

@@ -1,0 +1,151 @@
+#include "job/case_file.h"
+
+#include <gtest/gtest.h>
+
+#include "job/outline_svg.h"
+#include "support/job_errors.h"
+
+namespace bead {
+namespace {
+
+using test::says;
+
+constexpr const char* good = R"(
+title = "strip"
+thickness_mm = 2
+outline = [[0, 0], [40, 0], [40, 10], [0, 10]]
+circles = [{ center = [20, 5], radius = 2 }]
+[material]
+young_mpa = 1000
+poisson = 0.3
+[[support]]
+from = [0, 0]
+to = [0, 10]
+[[load]]
+from = [40, 0]
+to = [40, 10]
+force_n = [5, 0]
+turn_deg = 10
+move_mm = 2
+[[probe]]
+at = [10, 5]
+[print]
+bead_width_mm = 0.5
+fill = 0.3
+)";
+
+std::string changed(const std::string& from, const std::string& to) {
+    std::string text = good;
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+}
+
+std::string complaint(const std::string& text) {
+    return test::complaint_of([&] { parsed_case(text, "part.toml"); });
+}
+
+TEST(CaseFile, SaysWhatItSays) {
+    const auto c = std::get<LoadCase>(parsed_case(good, "part.toml"));
+    EXPECT_EQ(c.title, "strip");
+    EXPECT_EQ(c.thickness, 2);
+    EXPECT_EQ(c.material.young, 1000);
+    EXPECT_NEAR(area(c.part), 400 - 4 * pi, 0.02);
+    ASSERT_EQ(c.situations.size(), 1U);
+    EXPECT_TRUE(c.situations[0].supports[0].x && c.situations[0].supports[0].y);
+    EXPECT_EQ(c.situations[0].loads[0].force, (Vec2{5, 0}));
+    EXPECT_NEAR(c.situations[0].loads[0].turn, pi / 18, 1e-12);
+    EXPECT_EQ(c.situations[0].loads[0].move, 2);
+    EXPECT_EQ(c.print.fill, 0.3);
+    EXPECT_EQ(c.probes.size(), 1U);
+}
+
+TEST(CaseFile, TakesSeveralSituations) {
+    std::string text = changed("[[support]]", "[[case]]\nweight = 3\n[[case.support]]");
+    const auto replace = [&](const std::string& from, const std::string& to) {
+        text.replace(text.find(from), from.size(), to);
+    };
+    replace("[[load]]", "[[case.load]]");
+    replace("[[probe]]",
+            "[[case]]\n[[case.support]]\nfrom=[40,0]\nto=[40,10]\nfix=\"xy\"\n[[case.load]]\n"
+            "on={center=[20,5],radius=2}\nbearing=true\nforce_n=[0,1]\n[[probe]]");
+    const auto c = std::get<LoadCase>(parsed_case(text, "part.toml"));
+    ASSERT_EQ(c.situations.size(), 2U);
+    EXPECT_EQ(c.situations[0].weight, 3);
+    EXPECT_TRUE(c.situations[1].loads[0].bearing);
+    EXPECT_TRUE(c.situations[1].loads[0].on.arc.has_value());
+}
+
+TEST(CaseFile, NamesWhatIsWrongAndWhere) {
+    struct Row {
+        const char *from, *to, *words;
+    };
+    const Row rows[]{
+        {"fill = 0.3", "fil = 0.3", "part.toml:22: print.fil is not a key"},
+        {"turn_deg = 10", "turn = 10", "load[0].turn is not a key"},
+        {"[0, 10]]\ncirc", "[0, 10], [40, 5]]\ncirc", "outline crosses itself at (40"},
+        {"[40, 10], [0, 10]]", "[0, 10], [40, 10]]", "outline crosses itself at (20, 5)"},
+        {"from = [40, 0]", "from = [41, 0]",
+         "load[0].from = [41, 0] is not on the boundary, which"},
+        {"force_n = [5, 0]", "force_n = [0, 0]", "load[0].force_n is no force"},
+        {"force_n = [5, 0]", "", "load[0] has no force_n"},
+        {"to = [40, 10]\nforce", "to = [40, 0]\nforce", "single point"},
+        {"to = [0, 10]", "to = [0, 10]\nfix = \"x\"", "slide along y"},
+        {"to = [0, 10]", "to = [0, 0]", "turn about a point"},
+        {"[[load]]", "[[other]]", "load is missing"},
+        {"[[support]]", "[[other]]", "support is missing"},
+        {"at = [10, 5]", "at = [10, 50]", "probe[0].at lies outside"},
+        {"radius = 2 }", "radius = 2, x = 1 }", "circles[0].x is not a key"},
+        {"center = [20, 5]", "center = [20, 50]", "circles[0] lies outside"},
+        {"radius = 2 }", "radius = 6 }", "2 separate pieces"},
+        {"thickness_mm = 2", "", "thickness_mm is missing"},
+        {"thickness_mm = 2", "thickness_mm = -2", "thickness_mm is -2 but must be above 0"},
+        {"from = [0, 0]", "on = { center = [20, 5], radius = 3 }", "support[0].on has no boundary"},
+        {"outline = ", "outline = 3 #", "outline must be an array"},
+        {"poisson = 0.3", "poisson = 0.5", "poisson"},
+        {"bead_width_mm = 0.5", "bead_width_mm = 4", "thinner than a bead (4 mm) near (20"},
+    };
+    for (const Row& row : rows) {
+        const std::string text = complaint(changed(row.from, row.to));
+        EXPECT_TRUE(says(text, row.words)) << row.to << ": " << text;
+        EXPECT_TRUE(text.starts_with("part.toml:")) << text;
+    }
+}
+
+TEST(CaseFile, KnowsTheEmptySideOfAHole) {
+    const std::string text = complaint(
+        changed("from = [40, 0]\nto = [40, 10]",
+                "on = { center = [20, 5], radius = 2 }\narc_deg = [90, 270]\nbearing = true"));
+    EXPECT_TRUE(says(text, "empty side")) << text;
+}
+
+TEST(CaseFile, NeedsAMeshForBoxes) {
+    const std::string text =
+        complaint(changed("from = [0, 0]\nto = [0, 10]", "box = [[0, 0, 0], [1, 1, 1]]"));
+    EXPECT_TRUE(says(text, "model is missing")) << text;
+}
+
+TEST(OutlineSvg, ReadsShapesAndTransforms) {
+    const char* text =
+        R"(<svg xmlns="x" width="40mm" viewBox="0 0 80 40"><g transform="translate(2,0) scale(2)">
+        <path d="M 0 0 h 20 v 10 l-20 0z M5,5 a2 2 0 1 0 4 0 a2 2 0 1 0 -4 0"/></g></svg>)";
+    const Region part = outline_of_svg(text, "part.svg");
+    ASSERT_EQ(part.size(), 1U);
+    EXPECT_EQ(part[0].holes.size(), 1U);
+    EXPECT_NEAR(area(part), 200 - 4 * pi, 0.05);
+    const Box2 box = bounds(part);
+    EXPECT_NEAR(box.low.x, 1, 1e-6);
+    EXPECT_NEAR(box.high.y, 20, 1e-6);
+}
+
+TEST(OutlineSvg, RefusesWhatIsNone) {
+    for (const char* text : {"", "<svg/>", "<html/>", "<svg><path d='M 0 0 X'/></svg>",
+                             "<svg><path d='M 0 0 L 1e9 0 0 1e9z'/></svg>",
+                             "<svg><rect width='3' height='4' transform='spin(3)'/></svg>"}) {
+        const std::string words = test::complaint_of([&] { outline_of_svg(text, "part.svg"); });
+        EXPECT_TRUE(words.starts_with("part.svg: ")) << text << words;
+    }
+}
+
+}  // namespace
+}  // namespace bead
