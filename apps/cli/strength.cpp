@@ -1,4 +1,5 @@
 // beadwork strength: a simulated test of printed structures, slicers' patterns beside them.
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -9,6 +10,7 @@
 #include "layers_of_file.h"
 #include "options.h"
 #include "strength_report.h"
+#include "study/reinforce.h"
 #include "study/slicer_layouts.h"
 
 namespace bead::cli {
@@ -19,6 +21,7 @@ struct Options {
     std::vector<std::string> files;
     int phases = 4;
     bool no_baselines = false;
+    bool best = false;  // is all that is asked of the baselines
     StrengthOptions test;
     double filament = 1.75;
     int threads = 0;
@@ -53,13 +56,39 @@ std::vector<Design> designs_of(const Options& options, const LoadCase& load_case
     return designs;
 }
 
+NamedStrength tested(const Design& design, const LoadCase& load_case, const StrengthOptions& how) {
+    return {design.name, strength_of(design.layers, load_case, how), design.is_baseline};
+}
+
+// Patterns whose first failure alone says that another is better are not tested for buckling.
+std::vector<NamedStrength> tested_for_best(const std::vector<Design>& designs,
+                                           const LoadCase& load_case, const Options& options) {
+    std::vector<NamedStrength> results(designs.size());
+    StrengthOptions quick = options.test;
+    quick.buckling = false;
+    parallel_for(designs.size(), options.threads, [&](std::size_t i) {
+        results[i] = tested(designs[i], load_case, designs[i].is_baseline ? quick : options.test);
+    });
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < designs.size(); ++i)
+        if (designs[i].is_baseline) order.push_back(i);
+    const auto per_weight = [&](std::size_t i) { return strength_to_weight(results[i].strength); };
+    std::ranges::stable_sort(order, std::greater{}, per_weight);
+    double best = 0;
+    for (const std::size_t i : order) {
+        if (per_weight(i) <= best) break;
+        results[i] = tested(designs[i], load_case, options.test);
+        best = std::max(best, per_weight(i));
+    }
+    return results;
+}
+
 std::vector<NamedStrength> tested(const std::vector<Design>& designs, const LoadCase& load_case,
                                   const Options& options) {
+    if (options.best) return tested_for_best(designs, load_case, options);
     std::vector<NamedStrength> results(designs.size());
-    parallel_for(designs.size(), options.threads, [&](std::size_t i) {
-        results[i] = {designs[i].name, strength_of(designs[i].layers, load_case, options.test),
-                      designs[i].is_baseline};
-    });
+    parallel_for(designs.size(), options.threads,
+                 [&](std::size_t i) { results[i] = tested(designs[i], load_case, options.test); });
     return results;
 }
 

@@ -29,24 +29,6 @@ struct Panel {
         own.noalias() -= below.transpose() * border;
         triangle.triangularView<Eigen::Lower>().transpose().solveInPlace(own);
     }
-    // A few columns: each column of the panel is read once for all of them.
-    void forward(MatrixXd& own, MatrixXd& border) const {
-        const Index n = own.rows();
-        for (Index j = 0; j < n; ++j)
-            for (Index k = 0; k < own.cols(); ++k) {
-                const double x = own(j, k) /= triangle(j, j);
-                own.col(k).tail(n - j - 1) -= x * triangle.col(j).tail(n - j - 1);
-                border.col(k) -= x * below.col(j);
-            }
-    }
-    void backward(MatrixXd& own, const MatrixXd& border) const {
-        const Index n = own.rows();
-        for (Index j = n; j-- > 0;)
-            for (Index k = 0; k < own.cols(); ++k)
-                own(j, k) = (own(j, k) - below.col(j).dot(border.col(k)) -
-                             triangle.col(j).tail(n - j - 1).dot(own.col(k).tail(n - j - 1))) /
-                            triangle(j, j);
-    }
 };
 
 }  // namespace
@@ -65,13 +47,9 @@ struct FrontalCholesky::Panels {
     void hold(const Front& front, MatrixXd& sum) const;
     MatrixXd eliminate(std::size_t place, MatrixXd& sum);
     void factor(const ElementMatrix& matrix);
-    // X: one vector, or several as columns, their rows together.
-    template <class X>
-    [[nodiscard]] X gathered(std::span<const int> points, const X& x) const;
-    template <class X>
-    void scatter(std::span<const int> points, const X& part, X& x) const;
-    template <class X>
-    [[nodiscard]] X solved(X x) const;
+    [[nodiscard]] VectorXd gathered(std::span<const int> points, const VectorXd& x) const;
+    void scatter(std::span<const int> points, const VectorXd& part, VectorXd& x) const;
+    [[nodiscard]] VectorXd solved(VectorXd x) const;
 };
 
 void FrontalCholesky::Panels::assemble(const Front& front, MatrixXd& sum,
@@ -177,44 +155,137 @@ void FrontalCholesky::Panels::factor(const ElementMatrix& matrix) {
     }
 }
 
-template <class X>
-X FrontalCholesky::Panels::gathered(std::span<const int> points, const X& x) const {
+VectorXd FrontalCholesky::Panels::gathered(std::span<const int> points, const VectorXd& x) const {
     const Index b = per_point();
-    X part(Index(points.size()) * b, x.cols());
+    VectorXd part(Index(points.size()) * b);
     for (std::size_t p = 0; p < points.size(); ++p)
-        part.middleRows(Index(p) * b, b) = x.middleRows(points[p] * b, b);
+        part.segment(Index(p) * b, b) = x.segment(points[p] * b, b);
     return part;
 }
 
-template <class X>
-void FrontalCholesky::Panels::scatter(std::span<const int> points, const X& part, X& x) const {
+void FrontalCholesky::Panels::scatter(std::span<const int> points, const VectorXd& part,
+                                      VectorXd& x) const {
     const Index b = per_point();
     for (std::size_t p = 0; p < points.size(); ++p)
-        x.middleRows(points[p] * b, b) = part.middleRows(Index(p) * b, b);
+        x.segment(points[p] * b, b) = part.segment(Index(p) * b, b);
 }
 
-template <class X>
-X FrontalCholesky::Panels::solved(X x) const {
+VectorXd FrontalCholesky::Panels::solved(VectorXd x) const {
     for (std::size_t i = 0; i < held.size(); ++i)
-        if (held[i] != 0) x.row(Index(i)).setZero();
+        if (held[i] != 0) x(Index(i)) = 0;
     for (std::size_t f = 0; f < panels.size(); ++f) {
         if (tree.fronts[f].own.empty()) continue;
-        X own = gathered(tree.fronts[f].own, x);
-        X border = gathered(tree.fronts[f].border, x);
+        VectorXd own = gathered(tree.fronts[f].own, x);
+        VectorXd border = gathered(tree.fronts[f].border, x);
         panels[f].forward(own, border);
         scatter(tree.fronts[f].own, own, x);
         scatter(tree.fronts[f].border, border, x);
     }
-    X result = X::Zero(x.rows(), x.cols());
+    VectorXd result = VectorXd::Zero(x.size());
     for (std::size_t f = panels.size(); f-- > 0;) {
         if (tree.fronts[f].own.empty()) continue;
-        X own = gathered(tree.fronts[f].own, x);
+        VectorXd own = gathered(tree.fronts[f].own, x);
         panels[f].backward(own, gathered(tree.fronts[f].border, x));
         scatter(tree.fronts[f].own, own, x);
         scatter(tree.fronts[f].own, own, result);
     }
     return result;
 }
+
+// A few right sides at once, the values of an unknown side by side: each number of the factor is
+// read once for all of them.
+class FrontalCholesky::Wide {
+  public:
+    static constexpr Index width = 4;
+
+    explicit Wide(const Panels& panels) : panels_(panels), b_(panels.per_point()) {
+        std::size_t rows = 0;
+        for (const Front& front : panels.tree.fronts)
+            rows = std::max(rows, (front.own.size() + front.border.size()) * std::size_t(b_));
+        part_.resize(rows * std::size_t(width));
+    }
+
+    // `x`: `columns` of them, at most `width`, one after the other; in place.
+    void solve(double* x, Index rows, Index columns) {
+        values_.assign(std::size_t(rows * width), 0.0);
+        for (Index k = 0; k < columns; ++k)
+            for (Index i = 0; i < rows; ++i)
+                if (panels_.held[std::size_t(i)] == 0)
+                    values_[std::size_t(i * width + k)] = x[k * rows + i];
+        for (std::size_t f = 0; f < panels_.panels.size(); ++f) forward(f);
+        std::fill(x, x + rows * columns, 0.0);
+        for (std::size_t f = panels_.panels.size(); f-- > 0;) {
+            backward(f);
+            for (const int point : panels_.tree.fronts[f].own)
+                for (Index c = point * b_; c < point * b_ + b_; ++c)
+                    for (Index k = 0; k < columns; ++k)
+                        x[k * rows + c] = values_[std::size_t(c * width + k)];
+        }
+    }
+
+  private:
+    void gather(std::span<const int> points, double* to) const {
+        const Index block = b_ * width;
+        for (std::size_t p = 0; p < points.size(); ++p)
+            std::copy_n(&values_[std::size_t(points[p] * block)], block, to + Index(p) * block);
+    }
+    void scatter(std::span<const int> points, const double* from) {
+        const Index block = b_ * width;
+        for (std::size_t p = 0; p < points.size(); ++p)
+            std::copy_n(from + Index(p) * block, block, &values_[std::size_t(points[p] * block)]);
+    }
+
+    // rows -= column × value, all `width` at once.
+    static void subtract(double* rows, const double* column, Index count, const double* value) {
+        const double v[width] = {value[0], value[1], value[2], value[3]};
+        for (Index i = 0; i < count; ++i)
+            for (Index k = 0; k < width; ++k) rows[i * width + k] -= column[i] * v[k];
+    }
+    static void add_product(double* sum, const double* rows, const double* column, Index count) {
+        double s[width] = {0, 0, 0, 0};
+        for (Index i = 0; i < count; ++i)
+            for (Index k = 0; k < width; ++k) s[k] += column[i] * rows[i * width + k];
+        for (Index k = 0; k < width; ++k) sum[k] += s[k];
+    }
+
+    void forward(std::size_t f) {
+        const Front& front = panels_.tree.fronts[f];
+        const Panel& panel = panels_.panels[f];
+        const Index n = Index(front.own.size()) * b_, m = Index(front.border.size()) * b_;
+        double *const own = part_.data(), *const border = own + n * width;
+        gather(front.own, own);
+        gather(front.border, border);
+        for (Index j = 0; j < n; ++j) {
+            double* const x = own + j * width;
+            for (Index k = 0; k < width; ++k) x[k] /= panel.triangle(j, j);
+            subtract(x + width, &panel.triangle(j, j) + 1, n - j - 1, x);
+            if (m > 0) subtract(border, &panel.below(0, j), m, x);
+        }
+        scatter(front.own, own);
+        scatter(front.border, border);
+    }
+
+    void backward(std::size_t f) {
+        const Front& front = panels_.tree.fronts[f];
+        const Panel& panel = panels_.panels[f];
+        const Index n = Index(front.own.size()) * b_, m = Index(front.border.size()) * b_;
+        double *const own = part_.data(), *const border = own + n * width;
+        gather(front.own, own);
+        gather(front.border, border);
+        for (Index j = n; j-- > 0;) {
+            double sum[width] = {0, 0, 0, 0};
+            if (m > 0) add_product(sum, border, &panel.below(0, j), m);
+            add_product(sum, own + (j + 1) * width, &panel.triangle(j, j) + 1, n - j - 1);
+            double* const x = own + j * width;
+            for (Index k = 0; k < width; ++k) x[k] = (x[k] - sum[k]) / panel.triangle(j, j);
+        }
+        scatter(front.own, own);
+    }
+
+    const Panels& panels_;
+    const Index b_;
+    std::vector<double> values_, part_;
+};
 
 FrontalCholesky::FrontalCholesky(EliminationTree tree, const ElementMatrix& matrix,
                                  std::span<const std::uint8_t> held)
@@ -242,14 +313,16 @@ std::size_t FrontalCholesky::fill() const {
 std::vector<double> FrontalCholesky::solve(std::span<const double> right_sides, int columns) const {
     BEAD_EXPECTS(!panels_->singular);
     BEAD_EXPECTS(right_sides.size() == panels_->held.size() * std::size_t(columns));
-    const Eigen::Map<const MatrixXd> given(right_sides.data(), Index(panels_->held.size()),
-                                           columns);
-    std::vector<double> answer(right_sides.size());
-    Eigen::Map<MatrixXd> result(answer.data(), given.rows(), columns);
-    if (columns == 1)
-        result = panels_->solved(VectorXd(given));
-    else
-        result = panels_->solved(MatrixXd(given));
+    const auto rows = Index(panels_->held.size());
+    if (columns == 1) {
+        const VectorXd x = panels_->solved(Eigen::Map<const VectorXd>(right_sides.data(), rows));
+        return {x.begin(), x.end()};
+    }
+    std::vector<double> answer(right_sides.begin(), right_sides.end());
+    Wide wide(*panels_);
+    for (Index first = 0; first < columns; first += Wide::width)
+        wide.solve(&answer[std::size_t(first * rows)], rows,
+                   std::min(Wide::width, columns - first));
     return answer;
 }
 

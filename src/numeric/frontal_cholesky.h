@@ -41,6 +41,7 @@ class FrontalCholesky {
 
   private:
     struct Panels;
+    class Wide;
     std::unique_ptr<Panels> panels_;
 };
 
