@@ -1,5 +1,6 @@
 #include "geom/clip.h"
 
+#include <map>
 #include <polyclipping/clipper.hpp>
 
 #include "core/expects.h"
@@ -120,6 +121,29 @@ Region offset(const Region& region, double distance, Corner corner) {
 
 Region opened(const Region& region, double radius) {
     return offset(offset(region, -radius), radius);
+}
+
+Region covered_by(const std::vector<WideLine>& lines) {
+    constexpr double miter_limit = 2;
+    std::map<double, std::vector<const WideLine*>> by_width;
+    for (const WideLine& line : lines) by_width[line.width].push_back(&line);
+    cl::Clipper all;
+    for (const auto& [width, alike] : by_width) {
+        cl::ClipperOffset clipper(miter_limit, arc_tolerance);
+        for (const WideLine* line : alike) {
+            const bool closed =
+                line->points.size() > 3 && line->points.front() == line->points.back();
+            cl::Path path = to_path(line->points);
+            if (closed) path.pop_back();
+            clipper.AddPath(path, cl::jtMiter, closed ? cl::etClosedLine : cl::etOpenButt);
+        }
+        cl::Paths bands;
+        clipper.Execute(bands, width / 2 * units_per_mm);
+        all.AddPaths(bands, cl::ptSubject, true);
+    }
+    cl::PolyTree tree;
+    all.Execute(cl::ctUnion, tree, cl::pftPositive, cl::pftPositive);
+    return to_region(tree);
 }
 
 std::vector<Polyline> inside_parts(const std::vector<Polyline>& lines, const Region& region) {

@@ -26,6 +26,14 @@ Region offset(const Region& region, double distance, Corner corner = Corner::mit
 // Shrunk and grown again by `radius`: parts narrower than twice that are gone.
 Region opened(const Region& region, double radius);
 
+// What bands along lines cover, together: straight across at the ends of an open line, corners
+// mitred; a line that ends where it began is a closed band.
+struct WideLine {
+    Polyline points;
+    double width = 0;  // mm
+};
+Region covered_by(const std::vector<WideLine>& lines);
+
 // The parts of open lines that lie inside (or outside) the region. Clipper's order is not kept.
 std::vector<Polyline> inside_parts(const std::vector<Polyline>& lines, const Region& region);
 std::vector<Polyline> outside_parts(const std::vector<Polyline>& lines, const Region& region);
