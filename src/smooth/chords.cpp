@@ -1,0 +1,109 @@
+#include "smooth/chords.h"
+
+#include <algorithm>
+
+namespace bead {
+namespace {
+
+constexpr double least_corner = 25 * pi / 180;  // rad, never shifted
+
+struct Bends {
+    std::vector<double> at;    // mm, of the points
+    std::vector<double> turn;  // rad, all turns before and at the point
+};
+
+double turn_at(const Polyline& p, std::size_t i) {
+    const Vec2 in = p[i] - p[i - 1], out = p[i + 1] - p[i];
+    return std::atan2(std::abs(cross(in, out)), dot(in, out));
+}
+
+Bends bends_of(const Polyline& p) {
+    Bends bends{{0}, {0}};
+    for (std::size_t i = 1; i < p.size(); ++i) {
+        bends.at.push_back(bends.at.back() + distance(p[i - 1], p[i]));
+        bends.turn.push_back(bends.turn.back() + (i + 1 < p.size() ? turn_at(p, i) : 0));
+    }
+    return bends;
+}
+
+struct Limits {
+    double tolerance, turn, longest_time;  // mm, rad, s
+};
+
+Limits limits_for(const Flow& flow, const ChordOptions& options) {
+    const double time = 1 / (options.above * options.frequency);
+    if (flow.role == Role::travel) return {options.travel, options.travel_turn, 1};
+    if (flow.role == Role::infill) return {options.infill, options.turn, time};
+    return {options.wall, options.turn, time};
+}
+
+bool is_allowed(const Ribbon& ribbon, const Bends& bends, std::size_t i, std::size_t j,
+                const ChordOptions& options) {
+    const Flow& flow = ribbon.flows[i];
+    const Limits limits = limits_for(flow, options);
+    const double turn = bends.turn[j - 1] - bends.turn[i];
+    if (turn > limits.turn) return false;
+    const Vec2 a = ribbon.points[i], along = ribbon.points[j] - a;
+    const double far = length(along);
+    if (far < 1e-9) return false;
+    for (std::size_t k = i + 1; k < j; ++k)
+        if (std::abs(cross(along, ribbon.points[k] - a)) > limits.tolerance * far) return false;
+    if (turn <= 0.01) return true;
+    const double curvature = turn / (bends.at[j] - bends.at[i]);
+    const double speed = std::min(flow.speed, std::sqrt(options.acceleration / curvature));
+    return speed * speed * curvature <= options.quiet || far <= speed * limits.longest_time;
+}
+
+std::vector<std::size_t> chosen(const Ribbon& ribbon, const Bends& bends,
+                                const ChordOptions& options) {
+    std::vector<std::size_t> kept{0};
+    const std::size_t n = ribbon.points.size();
+    for (std::size_t i = 0; i + 1 < n; i = kept.back()) {
+        std::size_t j = i + 1;
+        while (j + 1 < n && alike(ribbon.flows[i], ribbon.flows[j]) &&
+               is_allowed(ribbon, bends, i, j + 1, options))
+            ++j;
+        kept.push_back(j);
+    }
+    return kept;
+}
+
+// How far the line lies to the left of the chord, on average.
+double mean_bulge(const Polyline& p, std::size_t i, std::size_t j) {
+    double twice_area = 0;
+    for (std::size_t k = i + 1; k + 1 <= j; ++k) twice_area += cross(p[k] - p[i], p[k + 1] - p[i]);
+    const double far = distance(p[i], p[j]);
+    return far > 0 ? -twice_area / (2 * far) : 0;
+}
+
+Vec2 shifted(const Polyline& p, std::size_t before, std::size_t here, std::size_t after) {
+    const Vec2 in = p[here] - p[before], out = p[after] - p[here];
+    if (std::atan2(std::abs(cross(in, out)), dot(in, out)) > least_corner) return p[here];
+    const double bulge = (mean_bulge(p, before, here) + mean_bulge(p, here, after)) / 2;
+    const Vec2 along = in / length(in) + out / length(out);
+    return p[here] + bulge * left_of(along / length(along));
+}
+
+}  // namespace
+
+Ribbon chorded(const Ribbon& ribbon, const ChordOptions& options) {
+    if (ribbon.points.size() < 3) return ribbon;
+    const Bends bends = bends_of(ribbon.points);
+    const std::vector<std::size_t> kept = chosen(ribbon, bends, options);
+    Ribbon result;
+    for (std::size_t k = 0; k < kept.size(); ++k) {
+        const bool inner = k > 0 && k + 1 < kept.size();
+        result.points.push_back(inner ? shifted(ribbon.points, kept[k - 1], kept[k], kept[k + 1])
+                                      : ribbon.points[kept[k]]);
+        if (k == 0) continue;
+        Flow flow = ribbon.flows[kept[k - 1]];
+        double deposited = 0;
+        for (std::size_t i = kept[k - 1]; i < kept[k]; ++i)
+            deposited += ribbon.flows[i].section * (bends.at[i + 1] - bends.at[i]);
+        if (flow.ramp > 0) flow.section = deposited / (bends.at[kept[k]] - bends.at[kept[k - 1]]);
+        result.flows.push_back(flow);
+    }
+    return result;
+}
+
+}  // namespace bead
