@@ -1,9 +1,273 @@
 #include "smooth/smooth.h"
 
-namespace bead {
+#include <algorithm>
+#include <array>
+#include <limits>
 
-SmoothedLayer smoothed(const Toolpath& layer, const SmoothOptions& /*options*/) {
-    return {.path = layer};
+#include "smooth/bead_plan.h"
+#include "smooth/chords.h"
+#include "smooth/layer_chains.h"
+#include "smooth/order.h"
+#include "smooth/round_corners.h"
+#include "smooth/thinning.h"
+
+namespace bead {
+namespace {
+
+constexpr double same_place = 1e-6;  // mm
+
+// What the layer's own travel is like.
+struct TravelKind {
+    double speed = 120, acceleration = 0;
+    double retracted_from = std::numeric_limits<double>::infinity();  // mm
+};
+
+TravelKind travel_kind(const Toolpath& layer) {
+    TravelKind kind;
+    bool found = false;
+    for (const Path& path : layer) {
+        if (path.role != Role::travel || path.points.size() < 2) continue;
+        if (!found) {
+            kind.speed = path.speed;
+            kind.acceleration = path.acceleration;
+        }
+        found = true;
+        if (path.retracted) kind.retracted_from = std::min(kind.retracted_from, length(path));
+    }
+    return kind;
+}
+
+// A stroke with the travel that leads to it, dense.
+struct Laid {
+    std::size_t chain = 0;
+    Ribbon travel;  // may be empty
+    Ribbon plain;   // as wound; only infill's corners rounded
+    Ribbon smooth;  // walls' corners rounded too
+};
+
+struct Rung {
+    double above, wall;
+    bool wall_blends;
+};
+// From fine to coarse; walls are cut off last. The first that keeps the budget is taken.
+constexpr std::array rungs{
+    Rung{2.2, 0.025, true},   Rung{1.9, 0.025, true},  Rung{1.6, 0.025, true},
+    Rung{1.45, 0.025, true},  Rung{1.3, 0.025, true},  Rung{1.15, 0.025, true},
+    Rung{1.0, 0.025, true},   Rung{1.3, 0.033, true},  Rung{1.15, 0.033, true},
+    Rung{1.0, 0.033, true},   Rung{0.85, 0.033, true}, Rung{1.0, 0.033, false},
+    Rung{0.85, 0.033, false}, Rung{0.7, 0.033, false}};
+constexpr std::size_t fine_rungs = 7;
+constexpr std::size_t few_points = 1000;  // below, coarse chords are not worth it
+
+struct Emitted {
+    Ribbon travel, stroke;
+};
+
+ChordOptions chord_options(const SmoothOptions& options, const Rung& rung) {
+    ChordOptions chords;
+    chords.wall = rung.wall;
+    chords.infill = std::max(0.06, 2.5 * rung.wall);
+    chords.frequency = std::max(options.modes[0], options.modes[1]);
+    chords.above = rung.above;
+    chords.acceleration = options.acceleration;
+    if (options.stages.chords) return chords;
+    chords.wall = chords.infill = chords.travel = 0.01;
+    chords.quiet = std::numeric_limits<double>::infinity();
+    return chords;
+}
+
+std::vector<Emitted> emitted(const std::vector<Laid>& strokes, const SmoothOptions& options,
+                             const Rung& rung) {
+    const ChordOptions chords = chord_options(options, rung);
+    std::vector<Emitted> result;
+    for (const Laid& laid : strokes)
+        result.push_back({chorded(laid.travel, chords),
+                          chorded(rung.wall_blends ? laid.smooth : laid.plain, chords)});
+    return result;
+}
+
+std::size_t points_of(const std::vector<Emitted>& strokes) {
+    std::size_t count = 1;
+    for (const Emitted& stroke : strokes)
+        count += stroke.travel.flows.size() + stroke.stroke.flows.size();
+    return count;
+}
+
+std::size_t points_of(const Toolpath& layer) {
+    std::size_t count = 0;
+    for (const Path& path : layer) count += path.points.size();
+    return count - std::min(count, layer.size() > 0 ? layer.size() - 1 : 0);
+}
+
+std::vector<Emitted> within_budget(const std::vector<Laid>& strokes, const SmoothOptions& options,
+                                   std::size_t given) {
+    const double most = options.point_budget * static_cast<double>(given);
+    const std::size_t last = given < few_points ? fine_rungs : rungs.size();
+    std::vector<Emitted> result;
+    for (std::size_t i = 0; i < last; ++i) {
+        result = emitted(strokes, options, rungs[i]);
+        if (!options.stages.chords || static_cast<double>(points_of(result)) <= most) break;
+    }
+    return result;
+}
+
+Path path_like(const Flow& flow, double factor, const Lane& lane) {
+    Path path;
+    path.role = flow.role;
+    path.speed = flow.speed;
+    path.acceleration = lane.acceleration;
+    const double section = std::max(flow.section * factor, 1e-9);
+    path.bead = {width_of(section, lane.height), lane.height};
+    return path;
+}
+
+void append_stroke(Toolpath& path, const Ribbon& stroke, const Lane& lane, double target) {
+    const double factor = target / volume(stroke);
+    for (std::size_t i = 0; i < stroke.flows.size(); ++i) {
+        Path next = path_like(stroke.flows[i], factor, lane);
+        const bool begins = i == 0 || next.bead != path.back().bead ||
+                            next.role != path.back().role || next.speed != path.back().speed;
+        if (begins) {
+            next.points.push_back(at_height(stroke.points[i], lane.z));
+            path.push_back(std::move(next));
+        }
+        path.back().points.push_back(at_height(stroke.points[i + 1], lane.z));
+    }
+}
+
+void append_travel(Toolpath& path, const Ribbon& travel, const TravelKind& kind, double z) {
+    if (travel.points.size() < 2) return;
+    Path next;
+    next.speed = kind.speed;
+    next.acceleration = kind.acceleration;
+    next.retracted = length(travel) >= kind.retracted_from;
+    for (const Vec2 point : travel.points) next.points.push_back(at_height(point, z));
+    path.push_back(std::move(next));
+}
+
+class Smoothing {
+  public:
+    Smoothing(const Toolpath& layer, std::vector<Lane> lanes, const SmoothOptions& options)
+        : layer_(layer), lanes_(std::move(lanes)), options_(options), kind_(travel_kind(layer)) {}
+
+    SmoothedLayer result() {
+        LayerChains found = layer_chains(lanes_, options_);
+        chains_ = std::move(found.chains);
+        const Path& first = layer_.front();
+        const bool begins = first.role == Role::travel && !first.points.empty();
+        start_ = begins ? flat(first.points.front()) : options_.start;
+        const std::vector<Laid> strokes = laid(order(found.phases));
+        SmoothedLayer result;
+        const std::vector<Emitted> chords = within_budget(strokes, options_, points_of(layer_));
+        for (std::size_t i = 0; i < strokes.size(); ++i) append(result.path, strokes[i], chords[i]);
+        leave(result.path);
+        result.chains = static_cast<int>(chains_.size());
+        result.links = found.links;
+        result.arcs = found.arcs;
+        result.blends = blends_;
+        result.kept = found.kept;
+        return result;
+    }
+
+  private:
+    std::vector<OrderedStroke> order(const std::vector<int>& phases) const {
+        OrderOptions order;
+        order.radius = options_.turn_radius;
+        order.effort = 50'000 + 60 * points_of(layer_);
+        if (options_.stages.order) return ordered(chains_, phases, start_, order);
+        std::vector<OrderedStroke> result;
+        for (std::size_t i = 0; i < chains_.size(); ++i) result.push_back({i, 0});
+        return result;
+    }
+
+    Ribbon travel_to(const StrokeEnd& from, const StrokeEnd& to) const {
+        if (distance(from.at, to.at) <= same_place) return {};
+        Ribbon travel;
+        const Flow flow{0, kind_.speed, Role::travel, 0};
+        const TravelLine line = options_.stages.order ? travel_line(from, to, options_.turn_radius)
+                                                      : TravelLine{{from.at, to.at}, true};
+        for (const Vec2 point : line.points) append_point(travel, point, flow);
+        return travel;
+    }
+
+    std::vector<Laid> laid(const std::vector<OrderedStroke>& order) {
+        std::vector<Laid> strokes;
+        StrokeEnd here{start_, {1, 0}};
+        for (const OrderedStroke& stroke : order) {
+            const Chain& chain = chains_[stroke.chain];
+            const Winding& winding = chain.windings[stroke.winding];
+            const Vec2 way = winding.in.at - here.at;
+            if (strokes.empty() && length(way) > same_place) here.along = way / length(way);
+            Laid laid{stroke.chain, travel_to(here, winding.in), wound(chain, winding), {}};
+            round(laid);
+            here = winding.out;
+            strokes.push_back(std::move(laid));
+        }
+        return strokes;
+    }
+
+    void round(Laid& laid) {
+        laid.smooth = laid.plain;
+        if (!options_.stages.blends || !lanes_[chains_[laid.chain].lanes[0]].level) return;
+        CornerTolerances tolerances{options_.tolerances.outer_wall, options_.tolerances.wall,
+                                    options_.tolerances.infill, true};
+        RoundedRibbon round = rounded(laid.plain, tolerances);
+        laid.smooth = std::move(round.ribbon);
+        blends_ += round.blends;
+        const bool infill = laid.plain.flows.front().role == Role::infill;
+        if (infill) laid.plain = laid.smooth;
+    }
+
+    void append(Toolpath& path, const Laid& laid, const Emitted& chords) const {
+        const Chain& chain = chains_[laid.chain];
+        const Lane& lane = lanes_[chain.lanes[0]];
+        append_travel(path, chords.travel, kind_, lane.z);
+        if (!lane.level) {
+            const auto first = layer_.begin() + static_cast<std::ptrdiff_t>(lane.first_path);
+            path.insert(path.end(), first, first + static_cast<std::ptrdiff_t>(lane.paths));
+            return;
+        }
+        double target = 0;
+        for (const std::size_t i : chain.lanes) target += lanes_[i].volume;
+        append_stroke(path, chords.stroke, lane, target);
+    }
+
+    // A layer that ends with travel still ends there.
+    void leave(Toolpath& path) const {
+        const Path& last = layer_.back();
+        if (last.role != Role::travel || last.points.empty()) return;
+        const Vec3 from = path.back().points.back(), to = last.points.back();
+        if (length(to - from) <= same_place) return;
+        Path leaving = last;
+        leaving.points = {from, to};
+        path.push_back(std::move(leaving));
+    }
+
+    const Toolpath& layer_;
+    std::vector<Lane> lanes_;
+    const SmoothOptions& options_;
+    TravelKind kind_;
+    std::vector<Chain> chains_;
+    Vec2 start_;
+    int blends_ = 0;
+};
+
+}  // namespace
+
+SmoothedLayer smoothed(const Toolpath& layer, const SmoothOptions& options) {
+    if (options.stages.bead_plan || options.stages.thinning) {
+        SmoothOptions rest = options;
+        rest.stages.bead_plan = rest.stages.thinning = false;
+        Toolpath planned = options.stages.bead_plan ? bead_planned(layer) : layer;
+        if (options.stages.thinning) planned = thinned(planned);
+        return smoothed(planned, rest);
+    }
+    std::vector<Lane> lanes = lanes_of(layer);
+    if (lanes.empty()) return {.path = layer};
+    if (options.stages.clean)
+        for (Lane& lane : lanes)
+            if (lane.level) lane = cleaned(std::move(lane));
+    return Smoothing(layer, std::move(lanes), options).result();
 }
 
 }  // namespace bead

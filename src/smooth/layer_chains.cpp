@@ -1,0 +1,158 @@
+#include "smooth/layer_chains.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "smooth/dense.h"
+#include "smooth/nesting.h"
+
+namespace bead {
+namespace {
+
+bool is_wall(Role role) { return role == Role::outer_wall || role == Role::wall; }
+// Loops of these are begun anywhere and joined; other roles' strokes stay as they lie.
+bool is_infill(Role role) { return role == Role::infill; }
+
+double width_of(const Lane& lane) {
+    return bead::width_of(lane.flows.front().section, lane.height);
+}
+
+class Builder {
+  public:
+    Builder(const std::vector<Lane>& lanes, const SmoothOptions& options)
+        : lanes_(lanes), options_(options), chain_options_{options.link, 64} {}
+
+    LayerChains built() {
+        add_walls();
+        add_infill();
+        for (std::size_t i = 0; i < lanes_.size(); ++i)
+            if (!done_[i]) add_alone(i);
+        in_phases();
+        return std::move(result_);
+    }
+
+  private:
+    DenseLine dense(std::size_t i) {
+        DenseOptions dense;
+        dense.curves = options_.stages.curves;
+        dense.tolerance = lanes_[i].role == Role::outer_wall ? 0.05 : 0.06;
+        DenseLine line = dense_line(lanes_[i], dense);
+        result_.arcs += line.curves;
+        if (line.rejected > 0) ++result_.kept;
+        return line;
+    }
+    Ring ring(std::size_t i) {
+        DenseLine line = dense(i);
+        done_[i] = true;
+        return ring_of(std::move(line.points), std::move(line.flows));
+    }
+
+    void add(Chain chain) {
+        result_.links += static_cast<int>(chain.lanes.size()) - 1;
+        result_.chains.push_back(std::move(chain));
+    }
+
+    void add_walls() {
+        for (std::vector<std::size_t> group : nested_walls(lanes_)) {
+            const double first = loop_length(lanes_[group[0]].points);
+            if (!options_.stages.chains || first < 4 * options_.link) {
+                for (const std::size_t i : group) add(wall_chain({i}, {ring(i)}, chain_options_));
+                continue;
+            }
+            std::vector<Ring> rings;
+            const double turn = signed_area(lanes_[group[0]].points);
+            for (const std::size_t i : group) {
+                Ring one = ring(i);
+                const bool other_way = signed_area(lanes_[i].points) * turn < 0;
+                rings.push_back(other_way ? reversed(one) : std::move(one));
+            }
+            add(wall_chain(std::move(group), std::move(rings), chain_options_));
+        }
+    }
+
+    // Four fifths of all places of infill loops that have another loop beside them are at most that
+    // far from it.
+    double infill_spacing(const SegmentGrid& grid, const std::vector<std::size_t>& loops) const {
+        std::vector<double> apart;
+        for (const std::size_t i : loops)
+            for (const Vec2 point : lanes_[i].points) {
+                std::optional<double> least;
+                for (const NearLine& near : grid.near(point))
+                    if (near.line != i && is_infill(lanes_[near.line].role) &&
+                        (!least || near.distance < *least))
+                        least = near.distance;
+                if (least) apart.push_back(*least);
+            }
+        if (apart.empty()) return 0;
+        const auto fifth = static_cast<std::ptrdiff_t>(apart.size() * 4 / 5);
+        std::ranges::nth_element(apart, apart.begin() + fifth);
+        return apart[static_cast<std::size_t>(fifth)];
+    }
+
+    void add_infill() {
+        std::vector<std::size_t> loops;
+        for (std::size_t i = 0; i < lanes_.size(); ++i)
+            if (is_infill(lanes_[i].role) && lanes_[i].closed) loops.push_back(i);
+        if (loops.empty() || !options_.stages.chains) return;
+        std::vector<SegmentGrid::Line> lines;
+        double widest = 0;
+        for (const Lane& lane : lanes_) {
+            lines.push_back({lane.points, lane.closed});
+            widest = std::max(widest, width_of(lane));
+        }
+        const SegmentGrid grid(lines, 15 * width_of(lanes_[loops[0]]));
+        const double spacing = infill_spacing(grid, loops);
+        std::vector<InfillRing> rings;
+        for (const std::size_t i : loops) rings.push_back({i, ring(i)});
+        for (Chain& chain :
+             infill_chains(std::move(rings), spacing, grid, 0.9 * widest, chain_options_))
+            add(std::move(chain));
+    }
+
+    void add_alone(std::size_t i) {
+        const Lane& lane = lanes_[i];
+        if (lane.closed) return add(wall_chain({i}, {ring(i)}, chain_options_));
+        if (!lane.level) {
+            ++result_.kept;
+            return add(line_chain(i, {lane.points, lane.flows}, false));
+        }
+        DenseLine line = dense(i);
+        const bool reversible = lane.role != Role::top_skin;
+        add(line_chain(i, {std::move(line.points), std::move(line.flows)}, reversible));
+    }
+
+    void in_phases() {
+        std::array<int, role_names.size()> phase_of{};
+        phase_of.fill(-1);
+        int phases = 0;
+        for (const Lane& lane : lanes_) {
+            const Role role = is_wall(lane.role) ? Role::wall : lane.role;
+            int& phase = phase_of[static_cast<std::size_t>(role)];
+            if (phase < 0) phase = phases++;
+        }
+        const auto phase = [&](const Chain& chain) {
+            const Role role = lanes_[chain.lanes[0]].role;
+            return phase_of[static_cast<std::size_t>(is_wall(role) ? Role::wall : role)];
+        };
+        const auto key = [&](const Chain& chain) {
+            return std::pair(phase(chain), *std::ranges::min_element(chain.lanes));
+        };
+        std::ranges::stable_sort(result_.chains, {}, key);
+        for (const Chain& chain : result_.chains) result_.phases.push_back(phase(chain));
+    }
+
+    const std::vector<Lane>& lanes_;
+    const SmoothOptions& options_;
+    ChainOptions chain_options_;
+    std::vector<bool> done_ = std::vector<bool>(lanes_.size(), false);
+    LayerChains result_;
+};
+
+}  // namespace
+
+LayerChains layer_chains(const std::vector<Lane>& lanes, const SmoothOptions& options) {
+    return Builder(lanes, options).built();
+}
+
+}  // namespace bead
