@@ -26,9 +26,10 @@ std::vector<Line> wall_lines(const Toolpath& layer) {
             goes_on = false;
             continue;
         }
-        goes_on = goes_on && lines.back().width == path.bead.width && lines.back().outer == outer &&
+        goes_on = goes_on && lines.back().width == spacing(path.bead) &&
+                  lines.back().outer == outer &&
                   distance(lines.back().points.back(), flat(path.points.front())) < 1e-6;
-        if (!goes_on) lines.push_back({{flat(path.points.front())}, path.bead.width, outer});
+        if (!goes_on) lines.push_back({{flat(path.points.front())}, spacing(path.bead), outer});
         for (const Vec3& p : path.points)
             if (distance(lines.back().points.back(), flat(p)) > 1e-6)
                 lines.back().points.push_back(flat(p));

@@ -1,5 +1,6 @@
 // Whether the walls still fill what they are there for: the band of the part within some distance
-// of its outline, against what the beads cover, each as wide as its path says.
+// of its outline, against what the beads cover, each as wide as its
+// spacing (toolpath/path.h), for so wide it fills the layer's height.
 //
 //     const Coverage now = wall_coverage(layer, section, 1.2);   // three walls of 0.4 mm
 #pragma once

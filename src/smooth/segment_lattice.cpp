@@ -5,6 +5,7 @@
 
 #include "geom/deviation.h"
 
+
 namespace bead {
 namespace {
 

@@ -29,7 +29,7 @@ TEST(Coverage, tells_gaps_overlaps_and_what_sticks_out) {
         if (path.role == Role::outer_wall) path.bead.width += 0.1;
     const Coverage wide = wall_coverage(layer, square, 1.2);
     const double side = 19.6;  // of the outer wall's middle
-    EXPECT_NEAR(wide.outside, std::pow(side + 0.5, 2) - 400, 1e-6);
+    EXPECT_NEAR(wide.outside, std::pow(side + 0.5, 2) - 400, 1e-4);
     EXPECT_NEAR(wide.overfill, 4 * side * 0.5 - (std::pow(side + 0.5, 2) - 19.2 * 19.2), 1e-6);
     EXPECT_NEAR(wide.outline_deviation, 0.05 * std::sqrt(2.0), 1e-6);
 
@@ -48,7 +48,7 @@ TEST(Coverage, wider_beads_cover_the_engine_blocks_walls_as_well) {
         EXPECT_LT(after.underfill, 0.002 * before.band);
         EXPECT_LT(after.overfill, 0.002 * before.band);
         EXPECT_LT(after.outside, 1e-3);
-        EXPECT_LT(after.outline_deviation, 0.05);
+        EXPECT_NEAR(after.outline_deviation, before.outline_deviation, 1e-6);
     }
 }
 
@@ -57,7 +57,7 @@ TEST(ChordError, of_a_polygon_from_its_circle_is_known) {
     for (const Vec2 p : test::regular({}, 4, 24)) path.points.push_back(at_height(p, 0.2));
     path.points.push_back(path.points.front());
     const auto circle = boundary_curves(test::disc({}, 4, 4800));
-    EXPECT_NEAR(chord_error({path}, Role::outer_wall, circle), 4 * (1 - std::cos(pi / 24)), 2e-4);
+    EXPECT_NEAR(chord_error({path}, Role::outer_wall, circle), 4 * (1 - std::cos(pi / 24)), 5e-4);
     EXPECT_EQ(chord_error({path}, Role::wall, circle), 0);
 }
 
