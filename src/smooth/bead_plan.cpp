@@ -90,7 +90,8 @@ std::optional<Path> merged(const Path& a, const Path& b, const Polyline& loop,
     const double together = (volume(a) + volume(b)) / loop_length(loop);
     Path path = along_loop(a, loop);
     path.bead.width = width_for(together, a.bead.height);
-    if (path.bead.width > options.widest * options.nozzle + 1e-9) return std::nullopt;
+    constexpr double rounding = 1.02;  // the loop between two is not exactly their mean
+    if (spacing(path.bead) > rounding * options.widest * options.nozzle) return std::nullopt;
     path.speed = std::min({a.speed, b.speed, options.max_flow / together});
     const double time_before = length(a) / a.speed + length(b) / b.speed;
     if (length(path) / path.speed > time_before) return std::nullopt;

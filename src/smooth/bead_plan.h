@@ -8,7 +8,7 @@ namespace bead {
 
 struct BeadPlanOptions {
     double nozzle = 0.4;  // mm
-    double widest = 2;    // nozzles; no bead is made wider
+    double widest = 2;    // nozzles; no bead takes more room (spacing) than that
     double max_flow = 8;  // mm³/s; a wide bead is laid more slowly rather than with more
 };
 

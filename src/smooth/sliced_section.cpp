@@ -89,12 +89,12 @@ Toolpath sliced_section(const Region& section, const SectionOptions& options) {
     like.bead = options.bead;
     like.speed = options.wall_speed;
     for (int k = 0; k < options.walls; ++k) {
-        add_loops(strokes, offset(section, -(k + 0.5) * options.bead.width), like, 0);
+        add_loops(strokes, offset(section, -(k + 0.5) * spacing(options.bead)), like, 0);
         like.role = Role::wall;
     }
     like.role = Role::infill;
     like.speed = options.infill_speed;
-    const double band = options.walls * options.bead.width;
+    const double band = options.walls * spacing(options.bead);
     for (double in = options.infill_spacing / 2;; in += options.infill_spacing) {
         const Region inner = offset(section, -(band + in));
         if (inner.empty()) break;

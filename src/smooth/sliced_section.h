@@ -9,7 +9,7 @@ namespace bead {
 
 struct SectionOptions {
     int walls = 3;
-    Bead bead{0.4, 0.2};          // mm
+    Bead bead{0.4 + 0.2 * (1 - pi / 4), 0.2};  // mm; such beads tile the wall 0.4 mm apart
     double infill_spacing = 4.5;  // mm; the first loop lies half of it inside the walls
     double wall_speed = 50, infill_speed = 60, travel_speed = 120;  // mm/s
     double least_infill = 0.5;  // mm²; smaller infill loops are left out
