@@ -5,7 +5,6 @@
 
 #include "geom/deviation.h"
 
-
 namespace bead {
 namespace {
 
