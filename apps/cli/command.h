@@ -9,6 +9,7 @@ void add_slice(CLI::App& app);
 void add_optimize(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_energy(CLI::App& app);
+void add_smooth(CLI::App& app);
 void add_post_process(CLI::App& app);
 void add_stress(CLI::App& app);
 void add_reinforce(CLI::App& app);

@@ -59,6 +59,7 @@ int main(int argc, char** argv) {
     bead::cli::add_optimize(app);
     bead::cli::add_simulate(app);
     bead::cli::add_energy(app);
+    bead::cli::add_smooth(app);
     bead::cli::add_post_process(app);
     bead::cli::add_stress(app);
     bead::cli::add_reinforce(app);

@@ -25,6 +25,8 @@ class Annotations {
     [[nodiscard]] Role role() const { return role_; }
     [[nodiscard]] Bead bead() const { return bead_; }
     [[nodiscard]] const std::string& slicer() const { return slicer_; }
+    // A layer is announced of which nothing is printed yet.
+    [[nodiscard]] bool announces_layer() const { return pending_.has_value(); }
     [[nodiscard]] bool for_reprap() const { return for_reprap_; }  // RepRapFirmware's dialect
 
     // The layer that begins with the next command, once, if the comments have said its height.

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "gcode/comments.h"
+#include "gcode/file_state.h"
 #include "gcode/dialect.h"
 #include "gcode/limit_words.h"
 #include "gcode/move_words.h"
@@ -32,6 +33,17 @@ class Interpreter {
     // Whole lines, each with its end.
     void read_lines(std::string_view text);
     [[nodiscard]] std::int64_t lines() const { return report_.lines; }
+    [[nodiscard]] std::int64_t malformed() const { return report_.malformed; }
+    [[nodiscard]] const Annotations& annotations() const { return annotations_; }
+    [[nodiscard]] FileState state() const {
+        return {.place = frame_.place,
+                .feed = feed_,
+                .unit = unit_,
+                .absolute_e = !relative_[axis_e],
+                .relative_xyz = g91_,
+                .renamed_xy = frame_.shift[axis_x] != 0 || frame_.shift[axis_y] != 0,
+                .pulled_back = retracted_};
+    }
     // After the last line. Throws Error if nothing ever moved.
     GcodeReport finish();
 

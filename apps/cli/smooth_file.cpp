@@ -1,0 +1,279 @@
+#include "smooth_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "core/parallel.h"
+#include "gcode/layer_plan.h"
+#include "gcode/motion_text.h"
+
+namespace bead::cli {
+namespace {
+
+constexpr std::size_t most_layers = 64, most_moves = 200'000;  // read before they are smoothed
+constexpr double same_volume = 0.003;                          // part
+constexpr double most_beyond = 2;                              // mm, outside the layer's old box
+
+struct Item {
+    FileLayer layer;
+    LayerPlan plan;
+    MotionStyle style;  // as of this layer
+    std::int64_t bytes = 0;
+    bool last = false;
+    Vec2 start;  // where the file's nozzle is before the layer's first bead is headed for
+    std::string reason;
+    SmoothedLayer after;
+};
+
+MotionState state_of(const LayerPlan::Place& place) {
+    return {place.at, place.pulled_back, place.feed, place.acceleration};
+}
+Vec2 flat(const Position& at) { return {at[axis_x], at[axis_y]}; }
+
+double deposited(const Toolpath& layer) {
+    double sum = 0;
+    for (const Path& path : layer) sum += volume(path);
+    return sum;
+}
+
+struct Bounds {
+    double x0 = INFINITY, y0 = INFINITY, x1 = -INFINITY, y1 = -INFINITY;
+    void add(Vec3 p) {
+        x0 = std::min(x0, p.x), y0 = std::min(y0, p.y);
+        x1 = std::max(x1, p.x), y1 = std::max(y1, p.y);
+    }
+};
+Bounds bounds_of(const Toolpath& layer) {
+    Bounds bounds;
+    for (const Path& path : layer)
+        for (const Vec3& point : path.points) bounds.add(point);
+    return bounds;
+}
+bool is_within(const Toolpath& layer, const Bounds& bounds, double margin) {
+    for (const Path& path : layer)
+        for (const Vec3& p : path.points)
+            if (!(p.x > bounds.x0 - margin && p.x < bounds.x1 + margin &&
+                  p.y > bounds.y0 - margin && p.y < bounds.y1 + margin))
+                return false;
+    return true;
+}
+
+double travel_speed(const Toolpath& layer) {
+    for (const Path& path : layer)
+        if (path.role == Role::travel) return path.speed;
+    return 120;
+}
+
+Path way_to(const Toolpath& layer, Vec2 from, double speed) {
+    const Vec3 to = layer.front().points.front();
+    return {Role::travel, {}, speed, 0, false, {{from.x, from.y, to.z}, to}};
+}
+
+// The same layer from where the nozzle really is.
+Toolpath from_place(Toolpath layer, Vec2 place, double speed) {
+    const auto bead =
+        std::ranges::find_if(layer, [](const Path& path) { return path.role != Role::travel; });
+    bool retracted = false;
+    for (auto path = layer.begin(); path != bead; ++path) retracted = retracted || path->retracted;
+    layer.erase(layer.begin(), bead);
+    if (layer.empty()) return layer;
+    Path way = way_to(layer, place, speed);
+    way.retracted = retracted;
+    if (distance(place, bead::flat(layer.front().points.front())) > 1e-3)
+        layer.insert(layer.begin(), std::move(way));
+    return layer;
+}
+
+class Smoother {
+  public:
+    Smoother(std::ostream& out, const SmoothFileOptions& options, const LayerPairs& watch)
+        : out_(out), options_(options), watch_(watch) {}
+
+    SmoothedFile run(const TextSource& source) {
+        LayerReader reader(source, options_.read);
+        LayerPlanner planner(options_.filament);
+        std::optional<FileLayer> next = reader.next();
+        while (next) {
+            std::vector<Item> batch;
+            std::size_t moves = 0;
+            while (next && batch.size() < most_layers && moves < most_moves) {
+                moves += next->moves.size();
+                Item item;
+                item.layer = std::move(*next);
+                item.plan = planner.plan(item.layer);
+                item.style = planner.style();
+                next = reader.next();
+                item.bytes = reader.bytes();
+                item.last = !next;
+                batch.push_back(std::move(item));
+            }
+            smooth(batch);
+            write(batch);
+        }
+        result_.file = reader.finish();
+        return std::move(result_);
+    }
+
+  private:
+    void smooth(std::vector<Item>& batch) {
+        for (Item& item : batch) {
+            item.start = item.plan.head_free ? there_ : flat(item.plan.head.at);
+            if (has_body(item))
+                there_ = flat(item.plan.tail_free ? item.plan.tail.at : item.plan.after.at);
+            else
+                there_ = flat(item.plan.after.at);
+        }
+        parallel_for(batch.size(), options_.threads, [&](std::size_t i) { smooth(batch[i]); });
+    }
+
+    [[nodiscard]] static bool has_body(const Item& item) {
+        return item.plan.head_end < item.layer.lines.size() && !item.plan.whole.empty();
+    }
+
+    void smooth(Item& item) const {
+        item.reason = item.plan.obstacle;
+        if (!has_body(item) || !item.reason.empty()) return;
+        SmoothOptions options = options_.smooth;
+        options.start = item.start;
+        // Nobody says what these beads are: they keep their order.
+        const bool named = std::ranges::any_of(item.plan.body, [](const Path& path) {
+            return path.role != Role::travel && path.role != Role::other;
+        });
+        if (!named) options.stages.order = options.stages.chains = false;
+        item.after = smoothed(item.plan.body, options);
+        const double before = deposited(item.plan.body), after = deposited(item.after.path);
+        if (!(std::abs(after - before) <= same_volume * before))
+            item.reason = "volume would change";
+        if (!is_within(item.after.path, bounds_of(item.plan.body), most_beyond))
+            item.reason = "would lead out of the layer";
+        if (!item.reason.empty()) item.after = {};
+    }
+
+    void write(std::vector<Item>& batch) {
+        std::vector<LayerPair> pairs;
+        for (Item& item : batch) {
+            LayerPair pair;
+            pair.index = result_.layers;
+            pair.z = item.plan.z;
+            pair.bytes = item.bytes;
+            write(item, pair);
+            if (!has_body(item)) continue;
+            ++result_.layers;
+            pairs.push_back(std::move(pair));
+        }
+        if (watch_) watch_(pairs);
+    }
+
+    void write(Item& item, LayerPair& pair) {
+        if (!has_body(item)) return write_as_it_was(item);
+        pair.before = from_place(item.plan.body.empty() ? item.plan.whole : item.plan.body,
+                                 item.start, travel_speed(item.plan.whole));
+        if (!item.reason.empty()) {
+            ++result_.left[item.reason];
+            pair.after = pair.before;
+            write_as_it_was(item);
+        } else {
+            pair.smoothed = true;
+            write_smoothed(item, pair);
+            count(item.after);
+        }
+    }
+
+    void count(const SmoothedLayer& after) {
+        ++result_.smoothed;
+        result_.chains += after.chains;
+        result_.links += after.links;
+        result_.arcs += after.arcs;
+        result_.blends += after.blends;
+        result_.kept += after.kept;
+    }
+
+    void write_as_it_was(const Item& item) {
+        const bool moves = std::ranges::any_of(item.layer.lines, [](const FileLine& line) {
+            return line.use != LineUse::remark && line.use != LineUse::aside;
+        });
+        if (moves) restore(item, state_of(item.plan.before));
+        out_ << item.layer.text;
+        if (moves) ours_ = state_of(item.plan.after), away_ = false;
+    }
+
+    void restore(const Item& item, const MotionState& to) {
+        if (!away_) return;
+        MotionText text(item.style, ours_);
+        text.restore(to);
+        out_ << text.text();
+        ours_ = to;
+        away_ = false;
+    }
+
+    // Lines that are not motion, in their order.
+    void write_rest(const Item& item, std::size_t from, std::size_t to, bool within) {
+        for (std::size_t i = from; i < to; ++i) {
+            const LineUse use = item.layer.lines[i].use;
+            const bool stays = use == LineUse::remark || use == LineUse::aside ||
+                               (!within && (use == LineUse::fan || use == LineUse::limits));
+            const std::string_view text = text_of(item.layer, i);
+            const bool empty =
+                within && text.find_first_not_of(" \t\r\n") == std::string_view::npos;
+            if (stays && !empty && !(within && text.find("HEIGHT:") != std::string_view::npos))
+                out_ << text;
+        }
+    }
+    void write_text(const Item& item, std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) out_ << text_of(item.layer, i);
+    }
+
+    void write_smoothed(Item& item, LayerPair& pair) {
+        const LayerPlan& plan = item.plan;
+        const std::size_t count = item.layer.lines.size();
+        if (plan.head_free) {
+            write_rest(item, 0, plan.head_end, false);
+        } else {
+            restore(item, state_of(plan.before));
+            write_text(item, 0, plan.head_end);
+            ours_ = state_of(plan.head);
+        }
+        ours_.acceleration = plan.head.acceleration;
+        write_rest(item, plan.head_end, plan.tail_begin, true);
+        pair.after = from_place(item.after.path, flat(ours_.at), travel_speed(plan.whole));
+        write_motion(item, pair.after);
+        if (plan.tail_free && !item.last) {
+            write_rest(item, plan.tail_begin, count, false);
+            ours_.acceleration = plan.after.acceleration;
+        } else {
+            restore(item, state_of(plan.tail));
+            write_text(item, plan.tail_begin, count);
+            ours_ = state_of(plan.after);
+        }
+    }
+
+    void write_motion(const Item& item, const Toolpath& layer) {
+        MotionText text(item.style, ours_);
+        text.fit_arcs(options_.arc_tolerance);
+        text.follow(layer, item.plan.z);
+        text.ask(item.plan.tail.acceleration);
+        out_ << text.text();
+        ours_ = text.state();
+        away_ = true;
+        result_.filament_after += text.filament();
+    }
+
+    std::ostream& out_;
+    const SmoothFileOptions& options_;
+    const LayerPairs& watch_;
+    SmoothedFile result_;
+    MotionState ours_;   // where the written text leads
+    bool away_ = false;  // that is elsewhere than the file is
+    Vec2 there_;         // where the file's beads ended
+};
+
+}  // namespace
+
+SmoothedFile smooth_file(const TextSource& source, std::ostream& out,
+                         const SmoothFileOptions& options, const LayerPairs& watch) {
+    return Smoother(out, options, watch).run(source);
+}
+
+}  // namespace bead::cli
