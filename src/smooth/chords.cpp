@@ -51,6 +51,7 @@ bool is_allowed(const Ribbon& ribbon, const Bends& bends, std::size_t i, std::si
     if (turn <= 0.01) return true;
     const double curvature = turn / (bends.at[j] - bends.at[i]);
     const double speed = std::min(flow.speed, std::sqrt(options.acceleration / curvature));
+    if (flow.role != Role::travel && 2 * speed * std::sin(turn / 2) > options.step) return false;
     return speed * speed * curvature <= options.quiet || far <= speed * limits.longest_time;
 }
 

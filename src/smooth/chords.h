@@ -11,8 +11,9 @@ namespace bead {
 
 struct ChordOptions {
     double wall = 0.025, infill = 0.06, travel = 0.1;          // mm, chord from line
-    double turn = 20 * pi / 180, travel_turn = 28 * pi / 180;  // rad, over one chord
-    double frequency = 22;                                     // Hz, the highest mode
+    double turn = 20 * pi / 180, travel_turn = 16 * pi / 180;  // rad, over one chord
+    double step = 16;            // mm/s, by which the velocity changes from chord to chord
+    double frequency = 22;       // Hz, the highest mode
     double above = 1.3;          // times that, a chord pushes at least
     double acceleration = 1000;  // mm/s², across a bend
     double quiet = 30;           // mm/s², below which a bend does not matter

@@ -33,10 +33,18 @@ class Builder {
     }
 
   private:
+    // How far a curve may lie from the polygon that it is found in, no more than the sagitta of
+    // ordinary holes.
+    [[nodiscard]] double curve_tolerance(Role role) const {
+        const SmoothTolerances& tolerances = options_.tolerances;
+        if (role == Role::outer_wall) return std::min(0.05, tolerances.outer_wall);
+        if (is_infill(role)) return std::min(0.25, tolerances.infill);
+        return std::min(0.10, tolerances.wall);
+    }
     DenseLine dense(std::size_t i) {
         DenseOptions dense;
         dense.curves = options_.stages.curves;
-        dense.tolerance = lanes_[i].role == Role::outer_wall ? 0.05 : 0.06;
+        dense.tolerance = curve_tolerance(lanes_[i].role);
         DenseLine line = dense_line(lanes_[i], dense);
         result_.arcs += line.curves;
         if (line.rejected > 0) ++result_.kept;

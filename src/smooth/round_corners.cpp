@@ -132,14 +132,14 @@ struct Cut {
 };
 
 // The longest legs that keep the tolerance: right at once on straight ones, shortened on curves.
-std::optional<Cut> cut_of(const Measured& line, const Corner& corner) {
+std::optional<Cut> cut_of(const Measured& line, const Corner& corner, double sharpest) {
     if (corner.tolerance <= 0 || corner.room < least_leg) return std::nullopt;
     const Polyline& p = line.ribbon.points;
     const Vec2 v = p[corner.index];
     const auto straight =
         corner_blend(p[corner.index - 1], v, p[corner.index + 1],
                      {.deviation = 0.999 * corner.tolerance, .longest_leg = corner.room});
-    if (!straight) return std::nullopt;
+    if (!straight || peak_curvature(*straight) > sharpest) return std::nullopt;
     const double k = 1 - distance(straight->points[1], v) / straight->leg;
     const double here = line.at[corner.index];
     double leg = straight->leg;
@@ -163,7 +163,7 @@ RoundedRibbon rounded(const Ribbon& ribbon, const CornerTolerances& tolerances) 
                          ribbon.flows[std::max<std::size_t>(next, 1) - 1]);
     };
     for (const Corner& corner : corners_of(line, tolerances)) {
-        const auto cut = cut_of(line, corner);
+        const auto cut = cut_of(line, corner, tolerances.sharpest);
         if (!cut) continue;
         copy_until(cut->from);
         for (const Vec2 point : cut->points) append_point(result.ribbon, point, cut->flow);

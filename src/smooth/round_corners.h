@@ -9,6 +9,9 @@ namespace bead {
 struct CornerTolerances {
     double outer_wall = 0.05, wall = 0.10, infill = 1.0;  // mm; other roles as the wall
     bool walls = true;                                    // round these too
+    // 1/mm; a corner that needs more stays: it would be passed no faster than a plain one, and cost
+    // points.
+    double sharpest = 1000.0 / (20 * 20);
 };
 
 struct RoundedRibbon {

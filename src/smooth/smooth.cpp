@@ -15,6 +15,7 @@ namespace bead {
 namespace {
 
 constexpr double same_place = 1e-6;  // mm
+constexpr double least_speed = 20;   // mm/s; a corner that would be passed more slowly stays
 
 // What the layer's own travel is like.
 struct TravelKind {
@@ -211,6 +212,7 @@ class Smoothing {
         if (!options_.stages.blends || !lanes_[chains_[laid.chain].lanes[0]].level) return;
         CornerTolerances tolerances{options_.tolerances.outer_wall, options_.tolerances.wall,
                                     options_.tolerances.infill, true};
+        tolerances.sharpest = options_.acceleration / (least_speed * least_speed);
         RoundedRibbon round = rounded(laid.plain, tolerances);
         laid.smooth = std::move(round.ribbon);
         blends_ += round.blends;
