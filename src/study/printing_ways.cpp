@@ -1,6 +1,7 @@
 #include "study/printing_ways.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "smooth/bead_plan.h"
 #include "smooth/chord_error.h"
