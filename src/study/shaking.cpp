@@ -41,9 +41,10 @@ const ShakingCell& base_of(std::span<const ShakingCell> cells, const ShakingBase
     return *found;
 }
 
-// %; of nothing to nothing no change.
-double change(double before, double after) {
+// %, of coverage mm²: of nothing to nothing no change.
+double change(const std::string& column, double before, double after) {
     if (before == after) return 0;
+    if (column.ends_with("mm²")) return after - before;
     return before == 0 ? std::numeric_limits<double>::infinity() : 100 * (after / before - 1);
 }
 
@@ -62,7 +63,7 @@ ShakingLine line_of(std::span<const ShakingCell> cells, const ShakingBase& base,
             const Figure* const before = find(base_of(cells, base, cell.part), column);
             const Figure* const after = find(cell, column);
             if (before == nullptr || after == nullptr) continue;
-            const double percent = change(before->value, after->value);
+            const double percent = change(column, before->value, after->value);
             sum += percent;
             worst = std::max(worst, percent);
             ++count;

@@ -45,7 +45,7 @@ std::vector<ShakingCell> shaken(std::span<const ShakenPath> paths, std::span<con
                                 const ShakenMachine& machine, const AssessOptions& options = {});
 
 struct Change {
-    double mean = 0, worst = 0;  // %, over the parts; worst is the largest, for less is better
+    double mean = 0, worst = 0;  // %, of coverage mm²; worst is the largest, for less is better
 };
 struct ShakingLine {
     std::string path, law;
