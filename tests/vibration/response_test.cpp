@@ -92,6 +92,20 @@ TEST(Response, ChordsResonate) {
     EXPECT_LT(worst_frequency, 25);
 }
 
+TEST(Response, HardlyDependsOnTheStep) {
+    const Toolpath path{circle(17, 75, 50, 4), circle(4, 24, 50, 4)};
+    for (const NamedLaw& row : named_laws) {
+        const Response fine = assess(path, machine, row.law, {.step = 0.00025});
+        for (const double step : {0.0005, 0.001}) {
+            const Response r = assess(path, machine, row.law, {.step = step});
+            EXPECT_NEAR(r.rms_acceleration, fine.rms_acceleration, 0.02 * fine.rms_acceleration);
+            EXPECT_NEAR(r.rms_5_40hz, fine.rms_5_40hz, 0.02 * fine.rms_5_40hz);
+            EXPECT_NEAR(r.contour.mean, fine.contour.mean, 0.02 * fine.contour.mean + 1e-4)
+                << row.name << step;
+        }
+    }
+}
+
 TEST(Response, OneKilowattHourWeighsWhatTheGridSays) {
     ShakenMachine still;
     still.model.energy_co2 = 0.5;
