@@ -45,7 +45,7 @@ Polyline closed(Polyline loop) {
 // The distance between two loops if they run side by side all the way round, about a bead apart.
 std::optional<double> gap_between(const WallLoop& a, const WallLoop& b, double width) {
     constexpr double least = 0.6, most = 1.3;  // bead widths
-    constexpr double at_corners = 2.1;         // gaps: as far as a mitred corner may be
+    constexpr double at_corners = 6;           // gaps: as far as the tip of a sharp corner may be
     const double gap = 2 * std::abs(a.area - b.area) / (a.length + b.length);
     if (gap < least * width || gap > most * width) return std::nullopt;
     const auto apart = [&](double p, double q) { return std::abs(p - q) > at_corners * gap; };
@@ -68,7 +68,7 @@ std::optional<std::size_t> next_inwards(const Loops& loops, std::size_t from, do
 
 // Half-way from `a` to `b`; nothing if that is not one loop beside both.
 std::optional<Polyline> between(const WallLoop& a, const WallLoop& b, double gap) {
-    constexpr double at_corners = 1.1;  // gaps, of the middle from either
+    constexpr double at_corners = 3;  // gaps, of the middle from either
     Polyline points = a.points;
     const bool reversed = signed_area(points) < 0;
     if (reversed) std::ranges::reverse(points);
@@ -83,19 +83,32 @@ std::optional<Polyline> between(const WallLoop& a, const WallLoop& b, double gap
     return loop;
 }
 
-// One wide bead in place of two paths, if the nozzle and the hot end can lay it.
-std::optional<Path> merged(const Path& a, const Path& b, const Polyline& loop,
-                           const BeadPlanOptions& options) {
-    if (a.bead.height != b.bead.height || a.bead.height <= 0) return std::nullopt;
-    const double together = (volume(a) + volume(b)) / loop_length(loop);
-    Path path = along_loop(a, loop);
-    path.bead.width = width_for(together, a.bead.height);
+// Wide beads along these loops in place of the paths, of which the first lie beside the loops, if
+// the nozzle and the hot end can lay them.
+std::optional<std::vector<Path>> merged(const std::vector<const Path*>& paths,
+                                        const std::vector<Polyline>& loops,
+                                        const BeadPlanOptions& options) {
+    double deposited = 0, along = 0, time_before = 0, time = 0;
+    for (const Path* path : paths) {
+        if (path->bead.height != paths[0]->bead.height || path->bead.height <= 0)
+            return std::nullopt;
+        deposited += volume(*path);
+        time_before += length(*path) / path->speed;
+    }
+    for (const Polyline& loop : loops) along += loop_length(loop);
+    const double together = deposited / along;
+    std::vector<Path> wide;
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+        Path path = along_loop(*paths[i], loops[i]);
+        path.bead.width = width_for(together, path.bead.height);
+        path.speed = std::min(path.speed, options.max_flow / together);
+        time += length(path) / path.speed;
+        wide.push_back(std::move(path));
+    }
     constexpr double rounding = 1.02;  // the loop between two is not exactly their mean
-    if (spacing(path.bead) > rounding * options.widest * options.nozzle) return std::nullopt;
-    path.speed = std::min({a.speed, b.speed, options.max_flow / together});
-    const double time_before = length(a) / a.speed + length(b) / b.speed;
-    if (length(path) / path.speed > time_before) return std::nullopt;
-    return path;
+    const bool fits = spacing(wide[0].bead) <= rounding * options.widest * options.nozzle;
+    if (!fits || time > time_before) return std::nullopt;
+    return wide;
 }
 
 // Loops from an outer wall inwards, as far as each has one neighbour that runs along all of it.
@@ -122,11 +135,85 @@ void merge_inner(Strokes& strokes, const Loops& loops, const std::vector<std::si
         if (!gap) continue;
         const std::optional<Polyline> loop = between(a, b, *gap);
         if (!loop) continue;
-        std::optional<Path> wide = merged(first, second, *loop, options);
+        std::optional<std::vector<Path>> wide = merged({&first, &second}, {*loop}, options);
         if (!wide) continue;
-        first = std::move(*wide);
+        first = std::move((*wide)[0]);
         second.points.clear();
     }
+}
+
+// A second loop whose third one has grown together with those of its neighbours.
+struct Unpaired {
+    std::size_t loop;
+    double gap;     // mm, from the outer wall
+    Polyline wide;  // half a gap farther from the outer wall
+};
+
+std::optional<Unpaired> unpaired(const Loops& loops, std::size_t outer, std::size_t loop,
+                                 double width) {
+    const WallLoop& a = loops[loop];
+    const std::optional<double> gap = gap_between(loops[outer], a, width);
+    if (!gap) return std::nullopt;
+    const bool grows = a.area > loops[outer].area;
+    Polyline points = a.points;
+    const bool reversed = signed_area(points) < 0;
+    if (reversed) std::ranges::reverse(points);
+    const Region moved = offset({{points, {}}}, (grows ? *gap : -*gap) / 2);
+    if (moved.size() != 1 || !moved[0].holes.empty()) return std::nullopt;
+    Polyline wide = moved[0].outer;
+    if (reversed) std::ranges::reverse(wide);
+    return Unpaired{loop, *gap, std::move(wide)};
+}
+
+bool is_beside(const WallLoop& a, const Polyline& b, double reach) {
+    return std::ranges::any_of(a.points, [&](Vec2 p) { return line_distance(b, p) <= reach; });
+}
+
+// All of the third loop lies about a gap from one of them, and nothing between them overlaps much.
+bool is_shared(const WallLoop& third, const std::vector<const Unpaired*>& seconds,
+               const Loops& loops) {
+    constexpr double at_corners = 2.1, apart = 0.2;  // gaps, mm
+    for (const Vec2 p : third.points)
+        if (std::ranges::none_of(seconds, [&](const Unpaired* second) {
+                return line_distance(closed(loops[second->loop].points), p) <=
+                       at_corners * second->gap;
+            }))
+            return false;
+    for (const Unpaired* a : seconds)
+        for (const Unpaired* b : seconds)
+            if (a != b && std::ranges::any_of(a->wide, [&](Vec2 p) {
+                    return line_distance(closed(b->wide), p) < apart;
+                }))
+                return false;
+    return true;
+}
+
+// A third loop that runs round several seconds: its volume goes to all of them.
+void merge_shared(Strokes& strokes, const WallLoop& third, std::vector<Unpaired>& open,
+                  const Loops& loops, const BeadPlanOptions& options) {
+    const Polyline line = closed(third.points);
+    std::vector<const Unpaired*> seconds;
+    std::vector<const Path*> paths;
+    std::vector<Polyline> wide;
+    for (const Unpaired& second : open) {
+        if (!is_beside(loops[second.loop], line, 1.3 * second.gap)) continue;
+        seconds.push_back(&second);
+        paths.push_back(&strokes.strokes[loops[second.loop].stroke].path);
+        wide.push_back(second.wide);
+    }
+    if (seconds.empty() || !is_shared(third, seconds, loops)) return;
+    paths.push_back(&strokes.strokes[third.stroke].path);
+    std::optional<std::vector<Path>> beads = merged(paths, wide, options);
+    if (!beads) return;
+    strokes.strokes[third.stroke].path.points.clear();
+    std::vector<std::size_t> done;
+    for (std::size_t i = 0; i < seconds.size(); ++i) {
+        done.push_back(seconds[i]->loop);
+        strokes.strokes[loops[done.back()].stroke].path = std::move((*beads)[i]);
+    }
+    std::erase_if(open, [&](const Unpaired& second) {
+        return std::ranges::find(done, second.loop) != done.end();
+    });
 }
 
 }  // namespace
@@ -134,8 +221,17 @@ void merge_inner(Strokes& strokes, const Loops& loops, const std::vector<std::si
 Toolpath bead_planned(const Toolpath& layer, const BeadPlanOptions& options) {
     Strokes strokes = strokes_of(layer);
     Loops loops = wall_loops(strokes);
-    for (std::size_t i = 0; i < loops.size(); ++i)
-        if (loops[i].outer) merge_inner(strokes, loops, nest_of(loops, i, strokes), options);
+    std::vector<Unpaired> open;
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+        if (!loops[i].outer) continue;
+        const std::vector<std::size_t> nest = nest_of(loops, i, strokes);
+        merge_inner(strokes, loops, nest, options);
+        if (nest.size() != 2) continue;
+        const double width = strokes.strokes[loops[i].stroke].path.bead.width;
+        if (auto second = unpaired(loops, i, nest[1], width)) open.push_back(*std::move(second));
+    }
+    for (const WallLoop& third : loops)
+        if (!third.outer && !third.taken) merge_shared(strokes, third, open, loops, options);
     std::erase_if(strokes.strokes, [](const Stroke& stroke) { return stroke.path.points.empty(); });
     return joined(std::move(strokes));
 }

@@ -219,7 +219,7 @@ Toolpath thinned(const Toolpath& layer, const ThinningOptions& options) {
                             std::max(options.void_radius, void_bound(strokes)));
     const Limits limits{
         options.void_radius > 0 ? options.void_radius : same * coverage.void_radius(),
-        section({options.widest * options.nozzle, bead.height}) + 1e-9};
+        options.widest * options.nozzle * bead.height + 1e-9};
     std::vector<bool> kept = kept_by(Rule::least_loss, coverage, paths, limits);
     const std::vector<bool> other = kept_by(Rule::longest, coverage, paths, limits);
     if (section_of(paths, other) > section_of(paths, kept)) kept = other;

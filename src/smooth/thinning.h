@@ -11,7 +11,7 @@ struct ThinningOptions {
     double void_radius = 0;  // mm; the farthest that a place may lie from the middle of a bead.
                              // 0: as far as the farthest does without thinning, to 1 %
     double nozzle = 0.4;     // mm
-    double widest = 2;       // nozzles; no bead is made wider
+    double widest = 2;       // nozzles; no bead takes more room (spacing) than that
     double max_flow = 8;     // mm³/s; a wide bead is laid more slowly rather than with more
     double pitch = 0.25;     // mm, between the places that are looked at
 };

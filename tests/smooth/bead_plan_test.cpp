@@ -32,18 +32,11 @@ TEST(BeadPlan, outer_walls_and_infill_are_left_alone) {
 }
 
 TEST(BeadPlan, every_wall_of_the_engine_block_has_its_inner_loops_merged) {
-    for (const int height : {25, 50, 75}) {
+    for (const int height : engine_block_heights) {
         const Toolpath before = sliced_section(engine_block(height));
         EXPECT_EQ(test::count(bead_planned(before), Role::wall),
                   test::count(before, Role::outer_wall));
     }
-}
-
-// At 15 % each oil slot lies so near to three bolt holes that their third loops are one.
-TEST(BeadPlan, loops_that_grow_together_are_left_alone) {
-    const Toolpath before = sliced_section(engine_block(15));
-    EXPECT_EQ(test::count(bead_planned(before), Role::wall),
-              test::count(before, Role::outer_wall) + 2);
 }
 
 TEST(BeadPlan, no_bead_is_wider_or_faster_than_nozzle_and_hot_end_allow) {

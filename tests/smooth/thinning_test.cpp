@@ -51,7 +51,7 @@ TEST(Thinning, no_bead_is_wider_or_faster_than_nozzle_and_hot_end_allow) {
     const Toolpath before = sliced_section(engine_block(50));
     for (const Path& path : thinned(before, {.void_radius = 9, .max_flow = 5})) {
         if (path.role != Role::infill) continue;
-        EXPECT_LE(path.bead.width, 0.8 + 1e-9);
+        EXPECT_LE(spacing(path.bead), 0.8 + 1e-9);
         EXPECT_LE(section(path.bead) * path.speed, 5 + 1e-9);
     }
 }
