@@ -127,8 +127,8 @@ TEST(CaseFile, NeedsAMeshForBoxes) {
 
 TEST(OutlineSvg, ReadsShapesAndTransforms) {
     const char* text =
-        R"(<svg xmlns="x" width="40mm" viewBox="0 0 80 40"><g transform="translate(2,0) scale(2)">
-        <path d="M 0 0 h 20 v 10 l-20 0z M5,5 a2 2 0 1 0 4 0 a2 2 0 1 0 -4 0"/></g></svg>)";
+        R"svg(<svg xmlns="x" width="40mm" viewBox="0 0 80 40"><g transform="translate(2,0) scale(2)">
+        <path d="M 0 0 h 20 v 10 l-20 0z M5,5 a2 2 0 1 0 4 0 a2 2 0 1 0 -4 0"/></g></svg>)svg";
     const Region part = outline_of_svg(text, "part.svg");
     ASSERT_EQ(part.size(), 1U);
     EXPECT_EQ(part[0].holes.size(), 1U);
