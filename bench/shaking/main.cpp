@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstdio>
 #include <string>
 
 #include "core/error.h"
@@ -46,7 +47,8 @@ void print_tables(const std::vector<ShakenPath>& ways, std::span<const NamedLaw>
     }
     fmt::print("\nResponses, modes {} and {} Hz; % against B1 by K0, mean/worst\n\n", modes[0],
                modes[1]);
-    print_responses(table);
+    print_responses(cells, table);
+    std::fflush(stdout);
 }
 
 void print_w16() {

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
+#include "geom/clip.h"
+#include "geom/curve_recovery.h"
 #include "smooth/bead_plan.h"
 #include "smooth/chord_error.h"
 #include "smooth/coverage.h"
@@ -32,6 +35,16 @@ SmoothOptions retessellating(SmoothOptions options) {
     return options;
 }
 
+Polyline with_curves(const Polyline& loop) {
+    constexpr double chord_tolerance = 0.0006;  // mm
+    Polyline points;
+    for (const RecoveredRun& run : recovered_loop(loop, {})) {
+        const Polyline piece = run.curve ? flattened(*run.curve, chord_tolerance) : run.points;
+        points.insert(points.end(), piece.begin(), piece.end() - 1);
+    }
+    return points;
+}
+
 // From the lowest, then leftmost corner.
 void begin_at_lowest(Path& path) {
     if (!is_loop(path)) return;
@@ -45,6 +58,16 @@ void begin_at_lowest(Path& path) {
 }
 
 }  // namespace
+
+Region with_curves(const Region& section) {
+    std::vector<Polyline> loops;
+    const auto add = [&](const Polyline& loop) { loops.push_back(with_curves(loop)); };
+    for (const Polygon& polygon : section) {
+        add(polygon.outer);
+        std::ranges::for_each(polygon.holes, add);
+    }
+    return region_of(loops, Winding::positive);
+}
 
 Toolpath naive_section(const Region& section, const SectionOptions& options) {
     Strokes strokes = strokes_of(sliced_section(section, options));
@@ -62,7 +85,7 @@ Toolpath naive_section(const Region& section, const SectionOptions& options) {
 std::vector<Figure> path_figures(const Toolpath& layer, const Toolpath& plain,
                                  const Region& section, double band) {
     const PathMetrics m = path_metrics(layer);
-    const Coverage c = wall_coverage(layer, section, band);
+    const Coverage c = wall_coverage(layer, with_curves(section), band);
     const std::vector<Polyline> outer = lines_of(plain, Role::outer_wall);
     return {{"length, mm", m.length},
             {"extruded, mm", m.extruded},

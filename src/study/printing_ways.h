@@ -23,12 +23,16 @@ struct WaysOptions {
 // Loops in the order in which they are made, always from the same corner.
 Toolpath naive_section(const Region& section, const SectionOptions& options = {});
 
-// In the order B1, B1r, B1w, T1, T2, T2t. The section's curves are taken for what they are: its
-// polygon. A figure of coverage is of the wall band and against that polygon.
+// The section with the curves that its polygons stand for, in chords finer than 1 µm: what a part
+// that was drawn with curves should be.
+Region with_curves(const Region& section);
+
+// In the order B1, B1r, B1w, T1, T2, T2t.
 std::vector<ShakenPath> printing_ways(const std::string& part, const Region& section,
                                       const WaysOptions& options = {});
 
-// Lengths, points, turns, chords, coverage, and how far the outer walls are from those of `plain`.
+// Lengths, points, turns, chords, how far the outer walls are from those of `plain`; coverage of
+// the wall band, against the section with its curves.
 std::vector<Figure> path_figures(const Toolpath& layer, const Toolpath& plain,
                                  const Region& section, double band);
 
