@@ -27,14 +27,21 @@ Bends bends_of(const Polyline& p) {
 }
 
 struct Limits {
-    double tolerance, turn, longest_time;  // mm, rad, s
+    double tolerance, turn;  // mm, rad
 };
 
 Limits limits_for(const Flow& flow, const ChordOptions& options) {
-    const double time = 1 / (options.above * options.frequency);
-    if (flow.role == Role::travel) return {options.travel, options.travel_turn, 1};
-    if (flow.role == Role::infill) return {options.infill, options.turn, time};
-    return {options.wall, options.turn, time};
+    if (flow.role == Role::travel) return {options.travel, options.travel_turn};
+    if (flow.role == Role::infill) return {options.infill, options.turn};
+    return {options.wall, options.turn};
+}
+
+// r of (r² - 1)³ / r = (a / loudness)².
+double times_the_mode(double acceleration, double loudness) {
+    const double cube = std::cbrt(acceleration / loudness);
+    double r = 1 + cube / 2;
+    for (int i = 0; i < 4; ++i) r = std::sqrt(1 + cube * cube * std::cbrt(r));
+    return r;
 }
 
 bool is_allowed(const Ribbon& ribbon, const Bends& bends, std::size_t i, std::size_t j,
@@ -42,17 +49,21 @@ bool is_allowed(const Ribbon& ribbon, const Bends& bends, std::size_t i, std::si
     const Flow& flow = ribbon.flows[i];
     const Limits limits = limits_for(flow, options);
     const double turn = bends.turn[j - 1] - bends.turn[i];
-    if (turn > limits.turn) return false;
+    const double run = bends.at[j] - bends.at[i];
+    const bool tight = turn * options.tight_radius > run;
+    if (turn > (tight ? std::max(limits.turn, options.tight_turn) : limits.turn)) return false;
     const Vec2 a = ribbon.points[i], along = ribbon.points[j] - a;
     const double far = length(along);
     if (far < 1e-9) return false;
     for (std::size_t k = i + 1; k < j; ++k)
         if (std::abs(cross(along, ribbon.points[k] - a)) > limits.tolerance * far) return false;
     if (turn <= 0.01) return true;
-    const double curvature = turn / (bends.at[j] - bends.at[i]);
+    const double curvature = turn / run;
     const double speed = std::min(flow.speed, std::sqrt(options.acceleration / curvature));
-    if (flow.role != Role::travel && 2 * speed * std::sin(turn / 2) > options.step) return false;
-    return speed * speed * curvature <= options.quiet || far <= speed * limits.longest_time;
+    const double acceleration = speed * speed * curvature;
+    if (acceleration <= options.quiet || flow.role == Role::travel) return true;
+    if (!tight && speed * turn > options.velocity_step) return false;
+    return far * options.frequency * times_the_mode(acceleration, options.loudness) <= speed;
 }
 
 std::vector<std::size_t> chosen(const Ribbon& ribbon, const Bends& bends,

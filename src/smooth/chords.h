@@ -1,6 +1,8 @@
 // A densely sampled line as few chords: each as long as it may be without straying from the line,
-// turning too much, or, where the line bends in earnest, forcing the machine at its own frequency:
-// chords of length l at speed v push at v / l, which is kept above the modes.
+// turning too much, or, where the line bends in earnest, shaking the machine. Chords of length l at
+// speed v push at f = v / l with all of the bend's acceleration a = v² κ, which a mode at f0
+// answers with the gain 1 / (r² - 1), r = f / f0. For a number of points the machine shakes least
+// if (r² - 1)³ / r grows as a²: the more it bends, the farther above the modes.
 //
 // Each chord's ends are shifted by what the curve lies beside its two chords on average, so that
 // chords cut off as much as they add and areas stay.
@@ -11,11 +13,13 @@ namespace bead {
 
 struct ChordOptions {
     double wall = 0.025, infill = 0.06, travel = 0.1;          // mm, chord from line
-    double turn = 20 * pi / 180, travel_turn = 16 * pi / 180;  // rad, over one chord
-    double step = 16;            // mm/s, by which the velocity changes from chord to chord
-    double frequency = 22;       // Hz, the highest mode
-    double above = 1.3;          // times that, a chord pushes at least
+    double turn = 20 * pi / 180, travel_turn = 28 * pi / 180;  // rad, over one chord
+    // Bends tighter than that are corners to every time law: few chords, so that it sees them.
+    double tight_radius = 0.8, tight_turn = 50 * pi / 180;  // mm, rad
+    double frequency = 22;                                  // Hz, the highest mode
+    double loudness = 150;       // mm/s², the a at which (r² - 1)³ / r is 1; less: more points
     double acceleration = 1000;  // mm/s², across a bend
+    double velocity_step = 12;   // mm/s, from chord to chord; more makes firmware brake
     double quiet = 30;           // mm/s², below which a bend does not matter
 };
 

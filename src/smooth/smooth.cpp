@@ -47,29 +47,24 @@ struct Laid {
 };
 
 struct Rung {
-    double above, wall;
-    bool wall_blends;
+    double wall = 0.025;  // mm, chord from curve
+    bool wall_blends = true;
 };
-// From fine to coarse; walls are cut off last. The first that keeps the budget is taken.
-constexpr std::array rungs{
-    Rung{2.2, 0.025, true},   Rung{1.9, 0.025, true},  Rung{1.6, 0.025, true},
-    Rung{1.45, 0.025, true},  Rung{1.3, 0.025, true},  Rung{1.15, 0.025, true},
-    Rung{1.0, 0.025, true},   Rung{1.3, 0.033, true},  Rung{1.15, 0.033, true},
-    Rung{1.0, 0.033, true},   Rung{0.85, 0.033, true}, Rung{1.0, 0.033, false},
-    Rung{0.85, 0.033, false}, Rung{0.7, 0.033, false}};
-constexpr std::size_t fine_rungs = 7;
-constexpr std::size_t few_points = 1000;  // below, coarse chords are not worth it
+// From fine to coarse; the first with which the budget can be kept is taken.
+constexpr std::array rungs{Rung{0.025, true}, Rung{0.033, true}, Rung{0.033, false}};
+constexpr double quietest = 20, loudest = 1000;  // mm/s²
+constexpr std::size_t few_points = 1000;         // below, coarse chords are not worth it
 
 struct Emitted {
     Ribbon travel, stroke;
 };
 
-ChordOptions chord_options(const SmoothOptions& options, const Rung& rung) {
+ChordOptions chord_options(const SmoothOptions& options, const Rung& rung, double loudness) {
     ChordOptions chords;
     chords.wall = rung.wall;
     chords.infill = std::max(0.06, 2.5 * rung.wall);
     chords.frequency = std::max(options.modes[0], options.modes[1]);
-    chords.above = rung.above;
+    chords.loudness = loudness;
     chords.acceleration = options.acceleration;
     if (options.stages.chords) return chords;
     chords.wall = chords.infill = chords.travel = 0.01;
@@ -78,8 +73,8 @@ ChordOptions chord_options(const SmoothOptions& options, const Rung& rung) {
 }
 
 std::vector<Emitted> emitted(const std::vector<Laid>& strokes, const SmoothOptions& options,
-                             const Rung& rung) {
-    const ChordOptions chords = chord_options(options, rung);
+                             const Rung& rung, double loudness) {
+    const ChordOptions chords = chord_options(options, rung, loudness);
     std::vector<Emitted> result;
     for (const Laid& laid : strokes)
         result.push_back({chorded(laid.travel, chords),
@@ -100,16 +95,29 @@ std::size_t points_of(const Toolpath& layer) {
     return count - std::min(count, layer.size() > 0 ? layer.size() - 1 : 0);
 }
 
+// As quiet as the budget allows, by bisection; coarser where even the loudest has too many points.
 std::vector<Emitted> within_budget(const std::vector<Laid>& strokes, const SmoothOptions& options,
                                    std::size_t given) {
     const double most = options.point_budget * static_cast<double>(given);
-    const std::size_t last = given < few_points ? fine_rungs : rungs.size();
-    std::vector<Emitted> result;
+    const auto fits = [&](const std::vector<Emitted>& chords) {
+        return !options.stages.chords || static_cast<double>(points_of(chords)) <= most;
+    };
+    std::vector<Emitted> best = emitted(strokes, options, rungs[0], quietest);
+    if (fits(best)) return best;
+    const std::size_t last = given < few_points ? 1 : rungs.size();
     for (std::size_t i = 0; i < last; ++i) {
-        result = emitted(strokes, options, rungs[i]);
-        if (!options.stages.chords || static_cast<double>(points_of(result)) <= most) break;
+        best = emitted(strokes, options, rungs[i], loudest);
+        if (!fits(best)) continue;
+        double low = quietest, high = loudest;
+        for (int halving = 0; halving < 7; ++halving) {
+            const double middle = std::sqrt(low * high);
+            std::vector<Emitted> chords = emitted(strokes, options, rungs[i], middle);
+            (fits(chords) ? high : low) = middle;
+            if (high == middle) best = std::move(chords);
+        }
+        break;
     }
-    return result;
+    return best;
 }
 
 Path path_like(const Flow& flow, double factor, const Lane& lane) {
