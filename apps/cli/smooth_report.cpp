@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/output_file.h"
 #include "core/parallel.h"
+#include "layer_outline.h"
 #include "scene/layer_picture.h"
 #include "setpoints.h"
 #include "smooth_rows.h"
@@ -94,6 +95,7 @@ struct SmoothReport::State {
         std::vector<std::array<PathFigures, 2>> figures(layers.size());
         parallel_for(layers.size(), options.threads, [&](std::size_t i) {
             figures[i] = {path_figures(layers[i].before), path_figures(layers[i].after)};
+            if (sampled_here[i] != 0) add_coverage(layers[i], figures[i][0], figures[i][1]);
         });
         parallel_for(2, options.threads, [&](std::size_t side) {
             for (std::size_t i = 0; i < layers.size(); ++i) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "smooth/metrics.h"
 #include "vibration/piece.h"
 
 namespace bead::cli {
@@ -14,16 +15,17 @@ constexpr double travel_speed = 120;
 }  // namespace
 
 PathFigures path_figures(const Toolpath& layer) {
+    const PathMetrics m = path_metrics(layer);
     PathFigures f;
-    std::optional<Vec2> heading;
-    for (const Path& path : layer) {
-        const double way = bead::length(path);
-        f.length += way;
-        if (path.role == Role::travel) f.travel += way;
-        if (path.role == Role::infill) f.infill_length += way;
-        f.points += double(path.points.size());
-        f.volume += bead::volume(path);
-    }
+    f.length = m.length;
+    f.travel = m.travel;
+    f.infill_length = m.infill_length;
+    f.points = m.points;
+    f.infill_points = m.infill_points;
+    f.turning = m.turning_points;
+    f.windowed = m.windowed_turning_points;
+    f.chord_error = m.chord_error_mean * m.points;
+    f.volume = m.volume;
     return f;
 }
 

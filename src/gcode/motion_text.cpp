@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "gcode/arc_fit.h"
 #include "gcode/fixed_point.h"
 
 namespace bead {
@@ -128,6 +129,7 @@ void MotionText::ask(double acceleration) {
 
 void MotionText::print_line(Vec2 to, double filament, double speed) {
     exact_e_ += filament;
+    fed_ += filament;
     if (is_at(to)) return;  // its filament goes with the next line
     const Vec2 place = rounded(to);
     text_ += "G1";
@@ -147,11 +149,43 @@ void MotionText::print(const Path& path) {
     ask(path.acceleration);
     name(path);
     const double per_mm = section(path.bead) / (pi / 4 * style_.filament * style_.filament);
-    for (std::size_t i = 1; i < path.points.size(); ++i) {
-        const double filament = length(path.points[i] - path.points[i - 1]) * per_mm;
-        fed_ += filament;
-        print_line(bead::flat(path.points[i]), filament, path.speed);
+    if (arc_tolerance_ > 0) return print_pieces(path, per_mm);
+    for (std::size_t i = 1; i < path.points.size(); ++i)
+        print_line(bead::flat(path.points[i]), length(path.points[i] - path.points[i - 1]) * per_mm,
+                   path.speed);
+}
+
+// An arc gets the filament of the chords that it stands for.
+void MotionText::print_pieces(const Path& path, double per_mm) {
+    Polyline line;
+    for (const Vec3& point : path.points)
+        if (line.empty() || bead::flat(point) != line.back()) line.push_back(bead::flat(point));
+    for (const FittedPiece& piece : fitted_pieces(line, arc_tolerance_)) {
+        double way = 0;
+        for (std::size_t i = piece.first; i < piece.last; ++i)
+            way += distance(line[i], line[i + 1]);
+        if (piece.is_arc)
+            print_arc(line[piece.last], piece.centre, piece.clockwise, way * per_mm, path.speed);
+        else
+            print_line(line[piece.last], way * per_mm, path.speed);
     }
+}
+
+void MotionText::print_arc(Vec2 to, Vec2 centre, bool clockwise, double filament, double speed) {
+    if (is_at(to)) return print_line(to, filament, speed);
+    const Vec2 place = rounded(to);
+    exact_e_ += filament;
+    fed_ += filament;
+    text_ += clockwise ? "G2" : "G3";
+    word('X', place.x, place_decimals);
+    word('Y', place.y, place_decimals);
+    word('I', centre.x - state_.at[axis_x], place_decimals);
+    word('J', centre.y - state_.at[axis_y], place_decimals);
+    state_.at[axis_x] = place.x;
+    state_.at[axis_y] = place.y;
+    set_e(exact_e_);
+    feed_word(speed);
+    end_line();
 }
 
 void MotionText::follow(const Toolpath& layer, double z) {

@@ -38,6 +38,8 @@ class MotionText {
     void travel(const Path& path);
     void print(const Path& path);
     void print_line(Vec2 to, double filament, double speed);
+    void print_pieces(const Path& path, double per_mm);
+    void print_arc(Vec2 to, Vec2 centre, bool clockwise, double filament, double speed);
     void name(const Path& path);
 
     void pull_back(double to, double speed);
