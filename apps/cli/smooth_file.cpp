@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t most_layers = 64, most_moves = 200'000;  // read before they are smoothed
 constexpr double same_volume = 0.003;                          // part
+constexpr double most_turned = 10;                             // mm, of travel
 constexpr double most_beyond = 2;                              // mm, outside the layer's old box
 
 struct Item {
@@ -51,13 +52,18 @@ Bounds bounds_of(const Toolpath& layer) {
         for (const Vec3& point : path.points) bounds.add(point);
     return bounds;
 }
-bool is_within(const Toolpath& layer, const Bounds& bounds, double margin) {
-    for (const Path& path : layer)
-        for (const Vec3& p : path.points)
-            if (!(p.x > bounds.x0 - margin && p.x < bounds.x1 + margin &&
-                  p.y > bounds.y0 - margin && p.y < bounds.y1 + margin))
-                return false;
-    return true;
+// Beads keep to the layer; travel may turn outside it.
+bool is_within(const Toolpath& layer, const Bounds& old, const Bounds& with_way) {
+    const auto holds = [](const Bounds& b, double margin, const Path& path) {
+        return std::ranges::all_of(path.points, [&](Vec3 p) {
+            return p.x > b.x0 - margin && p.x < b.x1 + margin && p.y > b.y0 - margin &&
+                   p.y < b.y1 + margin;
+        });
+    };
+    return std::ranges::all_of(layer, [&](const Path& path) {
+        return path.role == Role::travel ? holds(with_way, most_turned, path)
+                                         : holds(old, most_beyond, path);
+    });
 }
 
 double travel_speed(const Toolpath& layer) {
@@ -146,8 +152,10 @@ class Smoother {
         const double before = deposited(item.plan.body), after = deposited(item.after.path);
         if (!(std::abs(after - before) <= same_volume * before))
             item.reason = "volume would change";
-        if (!is_within(item.after.path, bounds_of(item.plan.body), most_beyond))
-            item.reason = "would lead out of the layer";
+        const Bounds old = bounds_of(item.plan.body);
+        Bounds with_way = old;
+        with_way.add({item.start.x, item.start.y, 0});
+        if (!is_within(item.after.path, old, with_way)) item.reason = "would lead out of the layer";
         if (!item.reason.empty()) item.after = {};
     }
 
