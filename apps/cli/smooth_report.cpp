@@ -15,7 +15,8 @@
 namespace bead::cli {
 namespace {
 
-constexpr std::int64_t sample_size = 24;  // layers
+constexpr std::int64_t sample_size = 24;    // layers
+constexpr double most_sampled_time = 2400;  // s
 
 struct Row {
     const char* label;
@@ -60,6 +61,7 @@ struct SmoothReport::State {
     std::optional<Setpoints> setpoints;
     std::int64_t seen = -1;  // part of the file of which a layer is sampled
     int sampled = 0;
+    double sampled_time = 0;  // s, of nominal speed
     std::optional<LayerPair> pictured;
     SmoothedFile file;
 
@@ -69,11 +71,17 @@ struct SmoothReport::State {
         setpoints.emplace(options.setpoints, options.machine, options.law);
     }
 
+    // One in every part of the file, but no more than so many seconds of printing in all.
     bool is_sampled(const LayerPair& pair) {
+        if (options.all_layers) return true;
         const std::int64_t part = options.bytes > 0 ? pair.bytes * sample_size / options.bytes : 0;
-        const bool first = part > seen;
-        seen = std::max(seen, part);
-        return first || options.all_layers;
+        if (part <= seen) return false;
+        seen = part;
+        const double share = double(part + 1) / double(sample_size);
+        if (sampled > 0 && sampled_time > most_sampled_time * share) return false;
+        for (const Path& path : pair.before)
+            if (path.speed > 0) sampled_time += length(path) / path.speed;
+        return true;
     }
 
     void keep_for_picture(const LayerPair& pair) {

@@ -181,7 +181,9 @@ class LayerPlanner::Reading {
         } else {
             if (way < hair && move.filament < -hair) note_retraction(move);
             if (way < hair && move.filament > hair) note_return(move);
-            if (way < hair && move.to[axis_z] > from[axis_z] + hair) note_lift(move, from);
+            if (way < hair && move.to[axis_z] > from[axis_z] + hair && index >= first_ &&
+                index <= last_)
+                note_lift(move, from);
             if (move.filament != 0)
                 planner_.pulled_back_ = std::max(0.0, planner_.pulled_back_ - move.filament);
             if (planner_.pulled_back_ < 1e-4) planner_.pulled_back_ = 0;
