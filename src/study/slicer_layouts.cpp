@@ -36,9 +36,9 @@ std::vector<Family> families(SlicerPattern pattern) {
 }
 
 std::vector<Polyline> lines_of(const Region& inside, const SlicerSetting& setting, Vec2 middle,
-                               double spacing) {
+                               double spacing, double nudge) {
     // Moved by a part of the spacing along both axes: no family keeps its place.
-    const double part = static_cast<double>(setting.phase) / setting.phases;
+    const double part = static_cast<double>(setting.phase) / setting.phases + nudge;
     const Vec2 from = middle + part * spacing * Vec2{0.6, 1.0};
     std::vector<Polyline> lines;
     for (const Family& family : families(setting.pattern))
@@ -85,12 +85,13 @@ std::optional<Layout> slicer_layout(const LoadCase& load_case, const SlicerSetti
         load_case.part, -(setting.walls * (width - bead_overlap) + bead_overlap - into_wall));
     if (wanted <= 0 || inside.empty()) return std::nullopt;
     const Vec2 middle = bounds(load_case.part).centre();
-    // The area jumps where a line leaves the part: halving finds a jump, others lie beside it.
+    // The area jumps where a line leaves the part; moved a little it jumps elsewhere.
     for (int attempt = 0; attempt < tries; ++attempt) {
-        double low = width / 2, high = 60 * (1 + 0.07 * attempt);
+        double low = width / 2, high = 60;
+        const double nudge = 0.017 * attempt;
         for (int i = 0; i < halvings; ++i) {
             const double spacing = std::sqrt(low * high);
-            const std::vector<Polyline> lines = lines_of(inside, setting, middle, spacing);
+            const std::vector<Polyline> lines = lines_of(inside, setting, middle, spacing, nudge);
             const double laid = line_area(lines, width);
             if (std::abs(laid - wanted) <= tolerance * whole) {
                 for (const Polyline& line : lines) layout.push_back({LineKind::tensile, line});
