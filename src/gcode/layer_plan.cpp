@@ -181,9 +181,8 @@ class LayerPlanner::Reading {
         } else {
             if (way < hair && move.filament < -hair) note_retraction(move);
             if (way < hair && move.filament > hair) note_return(move);
-            if (way < hair && move.to[axis_z] > from[axis_z] + hair && index >= first_ &&
-                index <= last_)
-                note_lift(move, from);
+            if (way < hair && move.to[axis_z] > from[axis_z] + hair)
+                note_lift(move, from, index >= first_ && index <= last_);
             if (move.filament != 0)
                 planner_.pulled_back_ = std::max(0.0, planner_.pulled_back_ - move.filament);
             if (planner_.pulled_back_ < 1e-4) planner_.pulled_back_ = 0;
@@ -223,9 +222,9 @@ class LayerPlanner::Reading {
             style_.shortest = std::min(style_.shortest, std::max(0.5, travelled_));
         waiting_ = false;
     }
-    void note_lift(const FileMove& move, const Position& from) {
+    void note_lift(const FileMove& move, const Position& from, bool inside) {
         style_.z_speed = move.feed;
-        if (!waiting_ || first_ == layer_.moves.size()) return;
+        if (!waiting_ || !inside) return;
         const double lift = move.to[axis_z] - from[axis_z];
         if (std::abs(from[axis_z] - plan_.z) < hair && lift < 5) style_.lift = lift;
     }

@@ -2,6 +2,7 @@
 // input leaves nothing behind.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/program.h"
@@ -91,8 +92,8 @@ TEST(Smooth, KeepsWhatIsLaidDownAndSaid) {
         at = text.find(line, at);
         ASSERT_NE(at, std::string::npos) << line << text;
     }
-    const Outcome before = beadwork("simulate " + file + " --json -");
-    const Outcome again = beadwork("simulate " + out + " --json -");
+    const Outcome before = beadwork("simulate " + file + " --quiet --json -");
+    const Outcome again = beadwork("simulate " + out + " --quiet --json -");
     EXPECT_EQ(again.status, 0);
     EXPECT_EQ(again.err, before.err);
     EXPECT_NEAR(number(again.out, "filament_mm") / number(before.out, "filament_mm"), 1, 3e-3);
