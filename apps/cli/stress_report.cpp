@@ -152,7 +152,8 @@ Json stress_json(const StressReport& report) {
 void write_vtu(std::ostream& out, const StressReport& report) {
     std::vector<VtuField> fields;
     for (std::size_t s = 0; s < report.sheet.answers.size(); ++s)
-        append_fields(report.sheet.answers[s], s == 0 ? std::string() : fmt::format("_{}", s + 1), fields);
+        append_fields(report.sheet.answers[s], s == 0 ? std::string() : fmt::format("_{}", s + 1),
+                      fields);
     write_vtu(out, vtu_mesh(report.sheet.mesh), fields);
 }
 

@@ -10,8 +10,8 @@
 #include <string_view>
 
 #include "gcode/comments.h"
-#include "gcode/file_state.h"
 #include "gcode/dialect.h"
+#include "gcode/file_state.h"
 #include "gcode/limit_words.h"
 #include "gcode/move_words.h"
 #include "gcode/reader.h"

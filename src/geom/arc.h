@@ -4,15 +4,16 @@
 
 namespace bead {
 
-struct Arc {
+// Not one of a machine: that is Arc in toolpath/command.h.
+struct PlanarArc {
     Vec2 centre;
     double radius = 1;  // mm
     double start = 0;   // rad, direction from the centre to the first point
     double sweep = 0;   // rad, positive counter-clockwise
 };
 
-inline double length(const Arc& arc) { return arc.radius * std::abs(arc.sweep); }
-inline Vec2 point_at(const Arc& arc, double part) {  // 0 … 1
+inline double length(const PlanarArc& arc) { return arc.radius * std::abs(arc.sweep); }
+inline Vec2 point_at(const PlanarArc& arc, double part) {  // 0 … 1
     return arc.centre + arc.radius * unit(arc.start + part * arc.sweep);
 }
 

@@ -11,7 +11,8 @@ double angle_of(Vec2 a) { return std::atan2(a.y, a.x); }
 
 // The circle through both ends that is nearest to what lies between: with the middle of the ends
 // at the origin and the ends at ±c on the first axis, x² + y² - c² = 2 h y for a centre (0, h).
-std::optional<Arc> circle_through_ends(const Polyline& line, std::size_t first, std::size_t last) {
+std::optional<PlanarArc> circle_through_ends(const Polyline& line, std::size_t first,
+                                             std::size_t last) {
     const Vec2 middle = lerp(line[first], line[last], 0.5), half = line[last] - middle;
     const double c = length(half);
     if (c <= 0) return std::nullopt;
@@ -24,12 +25,12 @@ std::optional<Arc> circle_through_ends(const Polyline& line, std::size_t first, 
     }
     if (squares <= 1e-18 * c * c) return std::nullopt;
     const double h = products / (2 * squares);
-    return Arc{middle + (h / c) * left_of(half), std::sqrt(h * h + c * c), 0, 0};
+    return PlanarArc{middle + (h / c) * left_of(half), std::sqrt(h * h + c * c), 0, 0};
 }
 
-std::optional<Arc> arc_of(const Polyline& line, std::size_t first, std::size_t last,
-                          const ArcOptions& options) {
-    std::optional<Arc> arc = circle_through_ends(line, first, last);
+std::optional<PlanarArc> arc_of(const Polyline& line, std::size_t first, std::size_t last,
+                                const ArcOptions& options) {
+    std::optional<PlanarArc> arc = circle_through_ends(line, first, last);
     if (!arc || arc->radius > options.largest_radius) return std::nullopt;
     arc->start = angle_of(line[first] - arc->centre);
     for (std::size_t i = first; i < last; ++i) {

@@ -24,7 +24,7 @@ struct ArcOptions {
 // Its ends as indices of the line's points; a line from one to the next if there is no arc.
 struct PathPiece {
     std::size_t first = 0, last = 0;
-    std::optional<Arc> arc;  // at most three quarters of a circle
+    std::optional<PlanarArc> arc;  // at most three quarters of a circle
 };
 
 // Pieces follow each other; the arcs' ends are the line's points to rounding.

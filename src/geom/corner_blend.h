@@ -37,7 +37,7 @@ double peak_curvature(const CornerBlend& blend);       // 1/mm
 Nurbs nurbs_of(const CornerBlend& blend);
 
 struct ArcBlend {
-    Arc arc;
+    PlanarArc arc;
     double leg = 0, deviation = 0;  // mm
 };
 std::optional<ArcBlend> arc_blend(Vec2 before, Vec2 corner, Vec2 after,

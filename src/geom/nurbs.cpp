@@ -143,7 +143,7 @@ Polyline flattened(const Nurbs& curve, double tolerance) {
     return points;
 }
 
-Nurbs nurbs_of(const Arc& arc) {
+Nurbs nurbs_of(const PlanarArc& arc) {
     const int quarters = std::max(1, static_cast<int>(std::ceil(std::abs(arc.sweep) / (pi / 2))));
     const double half = arc.sweep / (2 * quarters);
     Nurbs curve{2, {0, 0, 0}, {point_at(arc, 0)}, {1}};

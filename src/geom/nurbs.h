@@ -3,8 +3,8 @@
 // C' = (A' - w' C) / w, C'' = (A'' - 2 w' C' - w'' C) / w (L. Piegl, W. Tiller, The NURBS Book,
 // 1997, ch. 2 to 4). The last parameter belongs to the last span that is not empty.
 //
-//     const Nurbs quarter = nurbs_of(Arc{.centre = {}, .radius = 17, .start = 0, .sweep = pi / 2});
-//     const double bend = curvature(curve_at(quarter, 0.5));  // 1/17 per mm
+//     const Nurbs quarter = nurbs_of(PlanarArc{.centre = {}, .radius = 17, .start = 0, .sweep = pi
+//     / 2}); const double bend = curvature(curve_at(quarter, 0.5));  // 1/17 per mm
 #pragma once
 #include <vector>
 
@@ -43,7 +43,7 @@ double peak_curvature(const Nurbs& curve, int samples = 64);
 Polyline flattened(const Nurbs& curve, double tolerance);
 
 // The arc itself, not an approximation: rational quadratics of at most a quarter turn each.
-Nurbs nurbs_of(const Arc& arc);
+Nurbs nurbs_of(const PlanarArc& arc);
 
 // A Bézier curve as one span from 0 to 1; 2 to 8 control points.
 Nurbs bezier(Polyline points);

@@ -8,7 +8,7 @@
 namespace bead {
 namespace {
 
-Polyline chords(const Arc& arc, int count) {
+Polyline chords(const PlanarArc& arc, int count) {
     Polyline line;
     for (int i = 0; i <= count; ++i) line.push_back(point_at(arc, static_cast<double>(i) / count));
     return line;
@@ -56,7 +56,7 @@ Polyline noisy_bends(test::RandomRegions& random) {
         const double radius = std::exp(random.uniform(-0.5, 5)), sweep = random.uniform(-3, 3);
         const double side = sweep > 0 ? 1 : -1;
         const Vec2 centre = at + side * radius * left_of(unit(heading));
-        const Arc arc{centre, radius, heading - side * pi / 2, sweep};
+        const PlanarArc arc{centre, radius, heading - side * pi / 2, sweep};
         for (const Vec2 p : chords(arc, random.whole(3, 60)))
             line.push_back(p + random.point(0.004));
         at = point_at(arc, 1);

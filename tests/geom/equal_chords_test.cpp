@@ -11,7 +11,7 @@ namespace bead {
 namespace {
 
 TEST(EqualChords, of_an_arc_are_even_turns) {
-    const Nurbs arc = nurbs_of(Arc{{3, 4}, 10, 0.2, 2});
+    const Nurbs arc = nurbs_of(PlanarArc{{3, 4}, 10, 0.2, 2});
     const ChordWalk walk = equal_chords(arc, 0.5);
     const double turn = 2 * std::asin(0.025);
     ASSERT_EQ(walk.points.size(), static_cast<std::size_t>(2 / turn) + 2);

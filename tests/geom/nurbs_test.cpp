@@ -40,8 +40,8 @@ TEST(Nurbs, a_curve_of_degree_one_is_the_polygon) {
 
 RC_GTEST_PROP(Nurbs, arcs_are_exact, (unsigned seed)) {
     RandomRegions random(seed);
-    const Arc arc{random.point(100), random.uniform(0.1, 100), random.uniform(-7, 7),
-                  random.uniform(-2 * pi, 2 * pi)};
+    const PlanarArc arc{random.point(100), random.uniform(0.1, 100), random.uniform(-7, 7),
+                        random.uniform(-2 * pi, 2 * pi)};
     RC_PRE(std::abs(arc.sweep) > 1e-3);
     const Nurbs curve = nurbs_of(arc);
     RC_ASSERT(is_curve(curve));
