@@ -13,13 +13,13 @@ namespace bead {
 
 struct ChordOptions {
     double wall = 0.025, infill = 0.06, travel = 0.1;          // mm, chord from line
-    double turn = 20 * pi / 180, travel_turn = 28 * pi / 180;  // rad, over one chord
+    double turn = 20 * pi / 180, travel_turn = 16 * pi / 180;  // rad, over one chord
     // Bends tighter than that are corners to every time law: few chords, so that it sees them.
     double tight_radius = 0.8, tight_turn = 50 * pi / 180;  // mm, rad
     double frequency = 22;                                  // Hz, the highest mode
     double loudness = 150;       // mm/s², the a at which (r² - 1)³ / r is 1; less: more points
     double acceleration = 1000;  // mm/s², across a bend
-    double velocity_step = 12;   // mm/s, from chord to chord; more makes firmware brake
+    double velocity_step = 14;   // mm/s, from chord to chord; more makes firmware brake
     double quiet = 30;           // mm/s², below which a bend does not matter
 };
 

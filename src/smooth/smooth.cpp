@@ -15,7 +15,7 @@ namespace bead {
 namespace {
 
 constexpr double same_place = 1e-6;  // mm
-constexpr double least_speed = 20;   // mm/s; a corner that would be passed more slowly stays
+constexpr double least_speed = 10;   // mm/s; a corner that would be passed more slowly stays
 
 // What the layer's own travel is like.
 struct TravelKind {
