@@ -10,7 +10,7 @@ namespace bead {
 namespace {
 
 // In the order of `patterns`.
-constexpr std::array<std::string_view, patterns.size()> pattern_names{
+constexpr std::array<std::string_view, experiment_patterns> pattern_names{
     "Rectilinear", "Concentric", "Hilbert Curve", "Archimedean Chords", "Octogram Spiral"};
 
 struct Reading {

@@ -58,7 +58,7 @@ void count_pattern(BracketFindings& found, const Energies& energies, std::size_t
 
 void count_set_ups(BracketFindings& found, const Energies& energies) {
     for (const auto& [angles, patterns_there] : energies) {
-        if (patterns_there.size() < patterns.size()) continue;
+        if (patterns_there.size() < experiment_patterns) continue;
         ++found.set_ups;
         const bool lowest = std::ranges::all_of(patterns_there, [&](const auto& other) {
             return patterns_there.at(0) <= other.second;
@@ -89,7 +89,7 @@ std::vector<double> bracket_energies(std::span<const ExperimentRun> runs, int th
 BracketFindings bracket_findings(std::span<const BracketRun> runs) {
     BracketFindings found;
     const Energies energies = by_angles(runs);
-    for (std::size_t pattern = 0; pattern < patterns.size(); ++pattern)
+    for (std::size_t pattern = 0; pattern < experiment_patterns; ++pattern)
         count_pattern(found, energies, pattern);
     count_set_ups(found, energies);
     std::vector<BracketRun> straight;  // the part's angle is 0

@@ -15,7 +15,7 @@ std::size_t place_of(int angle, std::span<const int> angles) {
 }
 
 std::size_t index_of(const ExperimentRun& run) {
-    std::size_t index = static_cast<std::size_t>(run.shape) * patterns.size() + run.pattern;
+    std::size_t index = static_cast<std::size_t>(run.shape) * experiment_patterns + run.pattern;
     index = index * infill_angles.size() + place_of(run.infill_angle, infill_angles);
     return index * part_angles.size() + place_of(run.part_angle, part_angles);
 }
@@ -43,7 +43,7 @@ Cell by_part(const RunEnergies& energies, const ExperimentRun& run) {
     return cell(energies, run, part_angles, [](auto& r, int a) { r.part_angle = a; });
 }
 Cell by_pattern(const RunEnergies& energies, const ExperimentRun& run) {
-    constexpr std::array<std::size_t, patterns.size()> all{0, 1, 2, 3, 4};
+    constexpr std::array<std::size_t, experiment_patterns> all{0, 1, 2, 3, 4};
     return cell(energies, run, all, [](auto& r, std::size_t p) { r.pattern = p; });
 }
 
@@ -128,7 +128,7 @@ double exchange_effect(const RunEnergies& energies) {
     double sum = 0;
     int count = 0;
     for (const Shape shape : {Shape::square, Shape::rectangle, Shape::oval})
-        for (std::size_t pattern = 0; pattern < patterns.size(); ++pattern) {
+        for (std::size_t pattern = 0; pattern < experiment_patterns; ++pattern) {
             const auto straight = energies.of({shape, pattern, 0, 0});
             const auto turned = energies.of({shape, pattern, 90, 90});
             if (!straight || !turned) continue;

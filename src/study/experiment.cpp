@@ -92,7 +92,7 @@ double radians(int degrees) { return degrees * pi / 180; }
 std::vector<ExperimentRun> experiment_runs() {
     std::vector<ExperimentRun> runs;
     for (std::size_t shape = 0; shape < shape_names.size(); ++shape)
-        for (std::size_t pattern = 0; pattern < patterns.size(); ++pattern)
+        for (std::size_t pattern = 0; pattern < experiment_patterns; ++pattern)
             for (const int infill : infill_angles)
                 for (const int part : part_angles)
                     runs.push_back({static_cast<Shape>(shape), pattern, infill, part});

@@ -16,6 +16,7 @@ namespace bead {
 enum class Shape { square, rectangle, triangle, drop, oval };
 inline constexpr std::array<std::string_view, 5> shape_names{"Square", "Rectangle", "Triangle",
                                                              "Drop", "Oval"};
+inline constexpr std::size_t experiment_patterns = 5;    // the first of `patterns`
 inline constexpr std::array infill_angles{0, 45, 90};    // °
 inline constexpr std::array part_angles{0, 30, 60, 90};  // °
 
