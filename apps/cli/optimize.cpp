@@ -102,8 +102,9 @@ void add_optimize(CLI::App& app) {
         ->check(CLI::IsMember({"machine-energy", "xy-energy", "time"}))
         ->capture_default_str();
     command
-        .add_option("--patterns", options->patterns,
-                    "to choose from, comma-separated; all if not given")
+        .add_option(
+            "--patterns", options->patterns,
+            "to choose from, comma-separated; the first five of beadwork patterns if not given")
         ->type_name("LIST");
     command
         .add_option("--angle-step", options->angle_step_deg,

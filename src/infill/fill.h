@@ -15,6 +15,7 @@ struct FillOptions {
     double angle = 0;    // rad, of the lines (of the curve's axes) from +X
     double link = 1e9;   // mm, longest way along the region's edge that joins the ends of two lines
     Vec2 centre{};  // of the curves, and where lines are counted from: the part's, not the layer's
+    double height = 0;  // mm, of the layer: for patterns that change with it
 };
 
 // `region` is where centre lines may run; every point of the result lies in it (to 1 µm). Lines lie
@@ -29,14 +30,22 @@ std::vector<Polyline> concentric(const Region& region, const FillOptions& option
 std::vector<Polyline> hilbert(const Region& region, const FillOptions& options);
 std::vector<Polyline> archimedean(const Region& region, const FillOptions& options);
 std::vector<Polyline> octagram(const Region& region, const FillOptions& options);
+std::vector<Polyline> separate_lines(const Region& region, const FillOptions& options);
+std::vector<Polyline> grid(const Region& region, const FillOptions& options);
+std::vector<Polyline> triangles(const Region& region, const FillOptions& options);
+std::vector<Polyline> tri_hexagon(const Region& region, const FillOptions& options);
+std::vector<Polyline> cross_curve(const Region& region, const FillOptions& options);
+std::vector<Polyline> gyroid(const Region& region, const FillOptions& options);
 
 struct NamedPattern {
     std::string_view name;
     Pattern make;
-    bool has_direction;      // whether its lines mostly run one way, so that layers must cross
-    double symmetry;         // rad, turning by this gives the same family of lines (pi: lines)
-    std::string_view about;  // for --help
+    bool has_direction;        // whether its lines mostly run one way, so that layers must cross
+    double symmetry;           // rad, turning by this gives the same family of lines (pi: lines)
+    std::string_view about;    // for --help
+    bool keeps_angle = false;  // on odd layers too, where skin and all other patterns turn by 90°
 };
+// New ones come last: published experiments and the search's usual candidates are the first five.
 inline constexpr std::array patterns{
     NamedPattern{"rectilinear", rectilinear, true, pi,
                  "straight lines, ends linked along the wall"},
@@ -46,6 +55,15 @@ inline constexpr std::array patterns{
                  "Hilbert's curve: one line of short right-angled steps"},
     NamedPattern{"archimedean", archimedean, false, 2 * pi, "a spiral of even pitch, in chords"},
     NamedPattern{"octagram", octagram, false, pi / 4, "nested eight-pointed stars, joined"},
+    NamedPattern{"line", separate_lines, true, pi, "straight lines, each by itself"},
+    NamedPattern{"grid", grid, false, pi / 2, "lines both ways in every layer: squares"},
+    NamedPattern{"triangles", triangles, false, pi / 3, "lines three ways: equal triangles", true},
+    NamedPattern{"tri-hexagon", tri_hexagon, false, pi / 3,
+                 "lines three ways: hexagons with triangles between", true},
+    NamedPattern{"cross", cross_curve, false, pi / 2,
+                 "Sierpinski's curve: crosses of short steps, nowhere a long line"},
+    NamedPattern{"gyroid", gyroid, false, 2 * pi, "waves that turn with the height", true},
 };
+inline constexpr std::size_t usual_patterns = 5;  // the first ones
 
 }  // namespace bead

@@ -63,9 +63,16 @@ struct SamePattern {
     std::string_view prusa, ours;
 };
 constexpr std::array same_patterns{
-    SamePattern{"rectilinear", "rectilinear"}, SamePattern{"concentric", "concentric"},
-    SamePattern{"hilbertcurve", "hilbert"},    SamePattern{"archimedeanchords", "archimedean"},
+    SamePattern{"rectilinear", "rectilinear"},
+    SamePattern{"concentric", "concentric"},
+    SamePattern{"hilbertcurve", "hilbert"},
+    SamePattern{"archimedeanchords", "archimedean"},
     SamePattern{"octagramspiral", "octagram"},
+    SamePattern{"line", "line"},
+    SamePattern{"grid", "grid"},
+    SamePattern{"triangles", "triangles"},
+    SamePattern{"stars", "tri-hexagon"},
+    SamePattern{"gyroid", "gyroid"},
 };
 
 struct Entry {

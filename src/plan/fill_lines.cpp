@@ -100,8 +100,10 @@ FillLines sparse_lines(const FillArea& area, const LayerParts& layer, const Fill
                        double spacing, double flow) {
     BEAD_EXPECTS(spacing > 0 && flow > 0);
     if (area.centre.empty()) return {};
-    return {choice.pattern.make(
-                area.centre, {.spacing = spacing, .angle = choice.angle, .centre = layer.centre}),
+    return {choice.pattern.make(area.centre, {.spacing = spacing,
+                                              .angle = choice.angle + choice.sparse_turn,
+                                              .centre = layer.centre,
+                                              .height = layer.z}),
             scaled(layer.bead, flow)};
 }
 

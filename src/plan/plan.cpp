@@ -64,6 +64,11 @@ double layer_angle(double angle, int layer_index) {
     return layer_index % 2 == 0 ? angle : angle + pi / 2;
 }
 
+FillChoice usual_choice(const PlanOptions& options, int layer_index) {
+    const double angle = layer_angle(options.angle, layer_index);
+    return {options.pattern, angle, options.pattern.keeps_angle ? options.angle - angle : 0};
+}
+
 Toolpath plan_layer(const LayerParts& parts, const FillChoice& choice, const FillSpacing& lines,
                     const PlanOptions& options, Vec2 start) {
     Route route(parts, options, start);
@@ -90,7 +95,7 @@ Toolpath plan(std::span<const Layer> layers, const PlanOptions& options) {
     Toolpath whole;
     Vec2 at;
     for (const LayerParts& layer : parts) {
-        const FillChoice choice{options.pattern, layer_angle(options.angle, layer.index)};
+        const FillChoice choice = usual_choice(options, layer.index);
         for (Path& path : plan_layer(layer, choice, lines, options, at)) {
             at = flat(path.points.back());
             whole.push_back(std::move(path));

@@ -26,6 +26,7 @@ struct FillSpacing {
 struct FillChoice {
     NamedPattern pattern = patterns[0];
     double angle = 0;
+    double sparse_turn = 0;  // rad by which the sparse infill is turned further
 };
 
 // Of the `wanted` patterns, tried on layers from all of the part; the others keep 0, as do all
@@ -40,6 +41,10 @@ FillSpacing matched_spacing(std::span<const LayerParts> parts, std::span<const F
 
 // PrusaSlicer's alternation: odd layers are turned by 90°.
 double layer_angle(double angle, int layer_index);
+
+// What the options say for a layer: the skin alternates, and the sparse infill with it unless its
+// pattern would then not stand on itself.
+FillChoice usual_choice(const PlanOptions& options, int layer_index);
 
 // Everything printed in one layer, travel included, from where the nozzle stands; z of all points
 // is the layer's. The first path is the travel to the layer (from `start`, at the layer's z).

@@ -19,6 +19,8 @@ bool has_sparse(const LayerParts& layer) {
     });
 }
 
+double sparse_angle(const FillChoice& choice) { return choice.angle + choice.sparse_turn; }
+
 // A layer and the angle of its lines.
 struct Sample {
     const LayerParts* layer = nullptr;
@@ -81,14 +83,19 @@ Matched matched(std::span<const Sample> samples, const NamedPattern& pattern, do
     constexpr double thinnest = 0.7, thickest = 1.4;
     Matched best{nominal, 1};
     double spacing = nominal, least = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < most_rounds && least > tolerance; ++round) {
+    const double out_of_reach = std::log(thickest);
+    for (int round = 0;
+         least > (round < most_rounds ? tolerance : out_of_reach) && round < 4 * most_rounds;
+         ++round) {
         const double yield = yield_of(samples, pattern, spacing, options);
         if (yield <= 0) break;
         if (std::abs(std::log(yield)) < least) {
             least = std::abs(std::log(yield));
             best = {spacing, std::clamp(1 / yield, thinnest, thickest)};
         }
-        spacing *= std::clamp(yield, 0.5, 2.0);
+        // Few lines in a narrow place come and go together: then by smaller and smaller steps.
+        const double step = round < most_rounds ? 1.0 : 1.0 / (round - most_rounds + 2);
+        spacing *= std::pow(std::clamp(yield, 0.5, 2.0), step);
     }
     if (least < tolerance) best.flow = 1;
     return best;
@@ -109,11 +116,16 @@ void match(FillSpacing& lines, const NamedPattern& pattern, const std::vector<Sa
 
 FillSpacing matched_spacing(std::span<const LayerParts> parts, const PlanOptions& options,
                             std::span<const NamedPattern> wanted) {
-    std::vector<Sample> sparse;
-    for (const LayerParts& layer : parts)
-        if (has_sparse(layer)) sparse.push_back({&layer, layer_angle(options.angle, layer.index)});
     FillSpacing lines;
-    for (const NamedPattern& pattern : wanted) match(lines, pattern, sparse, options);
+    PlanOptions with = options;
+    for (const NamedPattern& pattern : wanted) {
+        with.pattern = pattern;
+        std::vector<Sample> sparse;
+        for (const LayerParts& layer : parts)
+            if (has_sparse(layer))
+                sparse.push_back({&layer, sparse_angle(usual_choice(with, layer.index))});
+        match(lines, pattern, sparse, options);
+    }
     return lines;
 }
 
@@ -125,7 +137,7 @@ FillSpacing matched_spacing(std::span<const LayerParts> parts, std::span<const F
         std::vector<Sample> sparse;
         for (std::size_t i = 0; i < parts.size(); ++i)
             if (choices[i].pattern.name == pattern.name && has_sparse(parts[i]))
-                sparse.push_back({&parts[i], choices[i].angle});
+                sparse.push_back({&parts[i], sparse_angle(choices[i])});
         match(lines, pattern, sparse, options);
     }
     return lines;

@@ -20,7 +20,8 @@ enum class Goal { machine_energy, xy_energy, time };
 
 struct OptimizeOptions {
     Goal goal = Goal::machine_energy;
-    std::vector<NamedPattern> patterns{bead::patterns.begin(), bead::patterns.end()};
+    std::vector<NamedPattern> patterns{bead::patterns.begin(),
+                                       bead::patterns.begin() + usual_patterns};
     double angle_step = pi / 12;     // rad, between the angles that are tried
     double rotation_step = pi / 12;  // rad, between the part's rotations that are tried first
     std::optional<double> rotation;  // rad; the part stays as it is told

@@ -49,7 +49,7 @@ bool fits_bed(std::span<const LayerParts> parts, const Printer& printer) {
 std::vector<FillChoice> uniform_choices(std::size_t layers, const PlanOptions& options) {
     std::vector<FillChoice> choices;
     for (std::size_t i = 0; i < layers; ++i)
-        choices.push_back({options.pattern, layer_angle(options.angle, static_cast<int>(i))});
+        choices.push_back(usual_choice(options, static_cast<int>(i)));
     return choices;
 }
 
