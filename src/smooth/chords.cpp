@@ -1,29 +1,16 @@
 #include "smooth/chords.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace bead {
 namespace {
 
 constexpr double least_corner = 25 * pi / 180;  // rad, never shifted
 
-struct Bends {
-    std::vector<double> at;    // mm, of the points
-    std::vector<double> turn;  // rad, all turns before and at the point
-};
-
 double turn_at(const Polyline& p, std::size_t i) {
     const Vec2 in = p[i] - p[i - 1], out = p[i + 1] - p[i];
     return std::atan2(std::abs(cross(in, out)), dot(in, out));
-}
-
-Bends bends_of(const Polyline& p) {
-    Bends bends{{0}, {0}};
-    for (std::size_t i = 1; i < p.size(); ++i) {
-        bends.at.push_back(bends.at.back() + distance(p[i - 1], p[i]));
-        bends.turn.push_back(bends.turn.back() + (i + 1 < p.size() ? turn_at(p, i) : 0));
-    }
-    return bends;
 }
 
 struct Limits {
@@ -36,44 +23,42 @@ Limits limits_for(const Flow& flow, const ChordOptions& options) {
     return {options.wall, options.turn};
 }
 
-// r of (r² - 1)³ / r = (a / loudness)².
-double times_the_mode(double acceleration, double loudness) {
-    const double cube = std::cbrt(acceleration / loudness);
-    double r = 1 + cube / 2;
-    for (int i = 0; i < 4; ++i) r = std::sqrt(1 + cube * cube * std::cbrt(r));
-    return r;
+// Whether chords that push at r times the mode do so quietly enough.
+bool is_quiet(double r, double acceleration, double loudness) {
+    const double above = r * r - 1, share = acceleration / loudness;
+    return r > 1 && above * above * above >= r * share * share;
 }
 
-bool is_allowed(const Ribbon& ribbon, const Bends& bends, std::size_t i, std::size_t j,
+bool is_allowed(const MeasuredRibbon& measured, std::size_t i, std::size_t j,
                 const ChordOptions& options) {
-    const Flow& flow = ribbon.flows[i];
+    const Flow& flow = measured.ribbon.flows[i];
     const Limits limits = limits_for(flow, options);
-    const double turn = bends.turn[j - 1] - bends.turn[i];
-    const double run = bends.at[j] - bends.at[i];
+    const double turn = measured.turn[j - 1] - measured.turn[i];
+    const double run = measured.at[j] - measured.at[i];
     const bool tight = turn * options.tight_radius > run;
     if (turn > (tight ? std::max(limits.turn, options.tight_turn) : limits.turn)) return false;
-    const Vec2 a = ribbon.points[i], along = ribbon.points[j] - a;
+    const Vec2 a = measured.ribbon.points[i], along = measured.ribbon.points[j] - a;
     const double far = length(along);
     if (far < 1e-9) return false;
     for (std::size_t k = i + 1; k < j; ++k)
-        if (std::abs(cross(along, ribbon.points[k] - a)) > limits.tolerance * far) return false;
+        if (std::abs(cross(along, measured.ribbon.points[k] - a)) > limits.tolerance * far)
+            return false;
     if (turn <= 0.01) return true;
     const double curvature = turn / run;
     const double speed = std::min(flow.speed, std::sqrt(options.acceleration / curvature));
     const double acceleration = speed * speed * curvature;
     if (acceleration <= options.quiet || flow.role == Role::travel) return true;
     if (!tight && speed * turn > options.velocity_step) return false;
-    return far * options.frequency * times_the_mode(acceleration, options.loudness) <= speed;
+    return is_quiet(speed / (far * options.frequency), acceleration, options.loudness);
 }
 
-std::vector<std::size_t> chosen(const Ribbon& ribbon, const Bends& bends,
-                                const ChordOptions& options) {
+std::vector<std::size_t> chosen(const MeasuredRibbon& measured, const ChordOptions& options) {
     std::vector<std::size_t> kept{0};
-    const std::size_t n = ribbon.points.size();
+    const std::size_t n = measured.ribbon.points.size();
     for (std::size_t i = 0; i + 1 < n; i = kept.back()) {
         std::size_t j = i + 1;
-        while (j + 1 < n && alike(ribbon.flows[i], ribbon.flows[j]) &&
-               is_allowed(ribbon, bends, i, j + 1, options))
+        while (j + 1 < n && alike(measured.ribbon.flows[i], measured.ribbon.flows[j]) &&
+               is_allowed(measured, i, j + 1, options))
             ++j;
         kept.push_back(j);
     }
@@ -98,10 +83,25 @@ Vec2 shifted(const Polyline& p, std::size_t before, std::size_t here, std::size_
 
 }  // namespace
 
-Ribbon chorded(const Ribbon& ribbon, const ChordOptions& options) {
+MeasuredRibbon measured(Ribbon ribbon) {
+    MeasuredRibbon result{std::move(ribbon), {0}, {0}};
+    const Polyline& p = result.ribbon.points;
+    for (std::size_t i = 1; i < p.size(); ++i) {
+        result.at.push_back(result.at.back() + distance(p[i - 1], p[i]));
+        result.turn.push_back(result.turn.back() + (i + 1 < p.size() ? turn_at(p, i) : 0));
+    }
+    return result;
+}
+
+std::size_t chord_count(const MeasuredRibbon& measured, const ChordOptions& options) {
+    if (measured.ribbon.points.size() < 3) return measured.ribbon.flows.size();
+    return chosen(measured, options).size() - 1;
+}
+
+Ribbon chorded(const MeasuredRibbon& measured, const ChordOptions& options) {
+    const Ribbon& ribbon = measured.ribbon;
     if (ribbon.points.size() < 3) return ribbon;
-    const Bends bends = bends_of(ribbon.points);
-    const std::vector<std::size_t> kept = chosen(ribbon, bends, options);
+    const std::vector<std::size_t> kept = chosen(measured, options);
     Ribbon result;
     for (std::size_t k = 0; k < kept.size(); ++k) {
         const bool inner = k > 0 && k + 1 < kept.size();
@@ -111,8 +111,9 @@ Ribbon chorded(const Ribbon& ribbon, const ChordOptions& options) {
         Flow flow = ribbon.flows[kept[k - 1]];
         double deposited = 0;
         for (std::size_t i = kept[k - 1]; i < kept[k]; ++i)
-            deposited += ribbon.flows[i].section * (bends.at[i + 1] - bends.at[i]);
-        if (flow.ramp > 0) flow.section = deposited / (bends.at[kept[k]] - bends.at[kept[k - 1]]);
+            deposited += ribbon.flows[i].section * (measured.at[i + 1] - measured.at[i]);
+        if (flow.ramp > 0)
+            flow.section = deposited / (measured.at[kept[k]] - measured.at[kept[k - 1]]);
         result.flows.push_back(flow);
     }
     return result;

@@ -23,6 +23,15 @@ struct ChordOptions {
     double quiet = 30;           // mm/s², below which a bend does not matter
 };
 
-Ribbon chorded(const Ribbon& ribbon, const ChordOptions& options);
+// A ribbon with what is asked of it again for every set of options.
+struct MeasuredRibbon {
+    Ribbon ribbon;
+    std::vector<double> at;    // mm along, of every point
+    std::vector<double> turn;  // rad, of all turns up to every point
+};
+MeasuredRibbon measured(Ribbon ribbon);
+
+Ribbon chorded(const MeasuredRibbon& measured, const ChordOptions& options);
+std::size_t chord_count(const MeasuredRibbon& measured, const ChordOptions& options);
 
 }  // namespace bead

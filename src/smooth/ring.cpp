@@ -7,6 +7,7 @@ namespace bead {
 namespace {
 
 constexpr double same_place = 1e-7;  // mm
+constexpr int marks = 48;
 
 double once_round(const Ring& ring, double place) {
     const double rest = place - ring.length * std::floor(place / ring.length);
@@ -16,12 +17,13 @@ double once_round(const Ring& ring, double place) {
 }  // namespace
 
 Ring ring_of(Polyline points, std::vector<Flow> flows) {
-    Ring ring{std::move(points), {}, std::move(flows), 0};
+    Ring ring{std::move(points), {}, std::move(flows), 0, {}};
     ring.at.reserve(ring.points.size());
     for (std::size_t i = 0; i < ring.points.size(); ++i) {
         ring.at.push_back(ring.length);
         ring.length += distance(ring.points[i], ring.points[(i + 1) % ring.points.size()]);
     }
+    for (int i = 0; i < marks; ++i) ring.marks.push_back(point_at(ring, ring.length * i / marks));
     return ring;
 }
 
@@ -52,17 +54,10 @@ Vec2 direction_at(const Ring& ring, double place) {
 
 // First of even places all round, then of the segments beside the nearest of these.
 double nearest_place(const Ring& ring, Vec2 point) {
-    constexpr int places = 48;
-    const double step = ring.length / places;
-    const auto away = [&](double place) { return distance(point_at(ring, place), point); };
-    double near = 0, nearest = away(0);
-    for (int i = 1; i < places; ++i) {
-        const double here = away(i * step);
-        if (here < nearest) {
-            nearest = here;
-            near = i * step;
-        }
-    }
+    const double step = ring.length / marks;
+    const auto mark = std::ranges::min_element(
+        ring.marks, {}, [&](Vec2 at) { return dot(at - point, at - point); });
+    const double near = static_cast<double>(mark - ring.marks.begin()) * step;
     const std::size_t n = ring.points.size();
     std::size_t segment = segment_at(ring, near - step);
     const std::size_t last = segment_at(ring, near + step);

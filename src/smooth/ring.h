@@ -15,6 +15,7 @@ struct Ring {
     std::vector<double> at;   // mm along, of every point
     std::vector<Flow> flows;  // of the segment after each point
     double length = 0;        // mm
+    Polyline marks;           // at even distance, the first point first
 };
 
 Ring ring_of(Polyline points, std::vector<Flow> flows);

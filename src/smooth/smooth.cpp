@@ -41,9 +41,9 @@ TravelKind travel_kind(const Toolpath& layer) {
 // A stroke with the travel that leads to it, dense.
 struct Laid {
     std::size_t chain = 0;
-    Ribbon travel;  // may be empty
-    Ribbon plain;   // as wound; only infill's corners rounded
-    Ribbon smooth;  // walls' corners rounded too
+    MeasuredRibbon travel;  // may be empty
+    MeasuredRibbon plain;   // as wound; only infill's corners rounded
+    MeasuredRibbon smooth;  // walls' corners rounded too
 };
 
 struct Rung {
@@ -82,10 +82,13 @@ std::vector<Emitted> emitted(const std::vector<Laid>& strokes, const SmoothOptio
     return result;
 }
 
-std::size_t points_of(const std::vector<Emitted>& strokes) {
+std::size_t count_of(const std::vector<Laid>& strokes, const SmoothOptions& options,
+                     const Rung& rung, double loudness) {
+    const ChordOptions chords = chord_options(options, rung, loudness);
     std::size_t count = 1;
-    for (const Emitted& stroke : strokes)
-        count += stroke.travel.flows.size() + stroke.stroke.flows.size();
+    for (const Laid& laid : strokes)
+        count += chord_count(laid.travel, chords) +
+                 chord_count(rung.wall_blends ? laid.smooth : laid.plain, chords);
     return count;
 }
 
@@ -99,25 +102,20 @@ std::size_t points_of(const Toolpath& layer) {
 std::vector<Emitted> within_budget(const std::vector<Laid>& strokes, const SmoothOptions& options,
                                    std::size_t given) {
     const double most = options.point_budget * static_cast<double>(given);
-    const auto fits = [&](const std::vector<Emitted>& chords) {
-        return !options.stages.chords || static_cast<double>(points_of(chords)) <= most;
+    const auto fits = [&](const Rung& rung, double loudness) {
+        return !options.stages.chords ||
+               static_cast<double>(count_of(strokes, options, rung, loudness)) <= most;
     };
-    std::vector<Emitted> best = emitted(strokes, options, rungs[0], quietest);
-    if (fits(best)) return best;
-    const std::size_t last = given < few_points ? 1 : rungs.size();
-    for (std::size_t i = 0; i < last; ++i) {
-        best = emitted(strokes, options, rungs[i], loudest);
-        if (!fits(best)) continue;
-        double low = quietest, high = loudest;
-        for (int halving = 0; halving < 7; ++halving) {
-            const double middle = std::sqrt(low * high);
-            std::vector<Emitted> chords = emitted(strokes, options, rungs[i], middle);
-            (fits(chords) ? high : low) = middle;
-            if (high == middle) best = std::move(chords);
-        }
-        break;
+    if (fits(rungs[0], quietest)) return emitted(strokes, options, rungs[0], quietest);
+    std::size_t rung = 0;
+    const std::size_t last = given < few_points ? 0 : rungs.size() - 1;
+    while (rung < last && !fits(rungs[rung], loudest)) ++rung;
+    double low = quietest, high = loudest;
+    for (int halving = 0; halving < 6; ++halving) {
+        const double middle = std::sqrt(low * high);
+        (fits(rungs[rung], middle) ? high : low) = middle;
     }
-    return best;
+    return emitted(strokes, options, rungs[rung], high);
 }
 
 Path path_like(const Flow& flow, double factor, const Lane& lane) {
@@ -207,24 +205,25 @@ class Smoothing {
             const Winding& winding = chain.windings[stroke.winding];
             const Vec2 way = winding.in.at - here.at;
             if (strokes.empty() && length(way) > same_place) here.along = way / length(way);
-            Laid laid{stroke.chain, travel_to(here, winding.in), wound(chain, winding), {}};
-            round(laid);
+            Laid laid{stroke.chain, measured(travel_to(here, winding.in)), {}, {}};
+            round(laid, wound(chain, winding));
             here = winding.out;
             strokes.push_back(std::move(laid));
         }
         return strokes;
     }
 
-    void round(Laid& laid) {
+    void round(Laid& laid, Ribbon plain) {
+        laid.plain = measured(std::move(plain));
         laid.smooth = laid.plain;
         if (!options_.stages.blends || !lanes_[chains_[laid.chain].lanes[0]].level) return;
         CornerTolerances tolerances{options_.tolerances.outer_wall, options_.tolerances.wall,
                                     options_.tolerances.infill, true};
         tolerances.sharpest = options_.acceleration / (least_speed * least_speed);
-        RoundedRibbon round = rounded(laid.plain, tolerances);
-        laid.smooth = std::move(round.ribbon);
+        RoundedRibbon round = rounded(laid.plain.ribbon, tolerances);
+        laid.smooth = measured(std::move(round.ribbon));
         blends_ += round.blends;
-        const bool infill = laid.plain.flows.front().role == Role::infill;
+        const bool infill = laid.plain.ribbon.flows.front().role == Role::infill;
         if (infill) laid.plain = laid.smooth;
     }
 

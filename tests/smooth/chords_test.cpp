@@ -40,7 +40,7 @@ RC_GTEST_PROP(RoundCorners, StayWithinTheirTolerance, ()) {
 
 RC_GTEST_PROP(Chords, StayNearTheLine, ()) {
     const Ribbon before = rounded(ribbon_of(any_line(), Role::wall), {}).ribbon;
-    const Ribbon after = chorded(before, {});
+    const Ribbon after = chorded(measured(before), {});
     RC_ASSERT(deviation(after.points, before.points, 0.02) < 0.051);
     RC_ASSERT(after.points.size() <= before.points.size());
     RC_ASSERT(after.points.back() == before.points.back());
@@ -52,7 +52,7 @@ TEST(Chords, KeepACirclesAreaAndLeaveTheModes) {
         Polyline loop = round_loop({}, radius, 2000);
         loop.push_back(loop.front());
         const ChordOptions options;
-        const Ribbon after = chorded(ribbon_of(loop, Role::wall), options);
+        const Ribbon after = chorded(measured(ribbon_of(loop, Role::wall)), options);
         Polyline chords(after.points.begin(), after.points.end() - 1);
         EXPECT_NEAR(signed_area(chords) / (pi * radius * radius), 1, 2e-3 / radius);
         if (radius > 30) continue;  // gentle enough not to matter
