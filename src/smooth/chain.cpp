@@ -103,15 +103,14 @@ Ribbon wound_infill(const Chain& chain, const Winding& winding) {
 
 // How much the ring turns around a place, beyond what a curve does: links and seams avoid corners.
 double corner_cost(const Ring& ring, double place, double before, double after) {
-    constexpr double dear = 6, sharp = 0.7;  // mm, rad
-    double turn = 0;
+    constexpr double dear = 6, gentle = 0.76;  // mm, cosine
     Vec2 along = direction_at(ring, place - before);
     for (int i = 1; i <= 4; ++i) {
         const Vec2 next = direction_at(ring, place - before + (before + after) * i / 4);
-        turn = std::max(turn, std::atan2(std::abs(cross(along, next)), dot(along, next)));
+        if (dot(along, next) < gentle) return dear;
         along = next;
     }
-    return turn > sharp ? dear : 0;
+    return 0;
 }
 
 Winding wall_winding(const Chain& chain, double seam, bool backward) {
@@ -189,6 +188,11 @@ std::optional<Winding> extended(const Chain& chain, const Winding& winding, cons
     return longer;
 }
 
+bool near_boxes(const Box2& a, const Box2& b, double reach) {
+    return a.low.x <= b.high.x + reach && b.low.x <= a.high.x + reach &&
+           a.low.y <= b.high.y + reach && b.low.y <= a.high.y + reach;
+}
+
 Chain infill_start(const InfillRing& first, const ChainOptions& options, double link) {
     Chain chain;
     chain.lanes = {first.lane};
@@ -249,7 +253,11 @@ std::vector<Chain> infill_chains(std::vector<InfillRing> rings, double spacing,
     const InfillContext context{spacing, grid, clearance};
     const double link = std::min(6.0, 1.3 * spacing);
     std::vector<Ring> backward;
-    for (const InfillRing& ring : rings) backward.push_back(reversed(ring.ring));
+    std::vector<Box2> boxes;
+    for (const InfillRing& ring : rings) {
+        backward.push_back(reversed(ring.ring));
+        boxes.push_back(bounds(ring.ring.points));
+    }
     std::vector<bool> used(rings.size(), false);
     std::vector<Chain> chains;
     for (std::size_t first = 0; first < rings.size(); ++first) {
@@ -259,8 +267,10 @@ std::vector<Chain> infill_chains(std::vector<InfillRing> rings, double spacing,
         for (;;) {
             std::vector<Winding> best;
             std::size_t chosen = 0;
+            const Box2 here = bounds(chain.rings.back().points);
             for (std::size_t next = 0; next < rings.size(); ++next) {
                 if (used[next] || rings[next].ring.length < 4 * link) continue;
+                if (!near_boxes(here, boxes[next], 1.3 * spacing)) continue;
                 std::vector<Winding> longer;
                 for (const Winding& winding : chain.windings)
                     if (auto more = extended(chain, winding, rings[next], backward[next], context))

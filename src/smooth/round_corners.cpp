@@ -13,9 +13,9 @@ constexpr double least_turn = 20 * pi / 180, least_leg = 0.03, longest_leg = 20;
 constexpr double share = 0.45;  // of the way to the next corner
 constexpr int blend_parts = 32;
 
-double turn_at(const Polyline& p, std::size_t i) {
+bool is_corner(const Polyline& p, std::size_t i) {
     const Vec2 in = p[i] - p[i - 1], out = p[i + 1] - p[i];
-    return std::atan2(std::abs(cross(in, out)), dot(in, out));
+    return std::abs(cross(in, out)) > std::tan(least_turn) * dot(in, out);
 }
 
 struct Measured {
@@ -51,7 +51,6 @@ Spot spot(const Measured& line, double place, bool before) {
 
 struct Corner {
     std::size_t index = 0;
-    double turn = 0;
     double room = 0;       // mm of leg at most
     double tolerance = 0;  // mm
 };
@@ -78,10 +77,8 @@ double uniform_reach(const Measured& line, std::size_t corner, double most) {
 std::vector<Corner> corners_of(const Measured& line, const CornerTolerances& tolerances) {
     const Polyline& p = line.ribbon.points;
     std::vector<Corner> corners;
-    for (std::size_t i = 1; i + 1 < p.size(); ++i) {
-        const double turn = turn_at(p, i);
-        if (turn > least_turn) corners.push_back({i, turn, 0, 0});
-    }
+    for (std::size_t i = 1; i + 1 < p.size(); ++i)
+        if (is_corner(p, i)) corners.push_back({i, 0, 0});
     const double even =
         0.03 * line.at.back() / std::max<double>(1, static_cast<double>(corners.size()));
     for (std::size_t k = 0; k < corners.size(); ++k) {

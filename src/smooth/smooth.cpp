@@ -180,7 +180,7 @@ class Smoothing {
     std::vector<OrderedStroke> order(const std::vector<int>& phases) const {
         OrderOptions order;
         order.radius = options_.turn_radius;
-        order.effort = 50'000 + 60 * points_of(layer_);
+        order.effort = 30'000 + 30 * points_of(layer_);
         if (options_.stages.order) return ordered(chains_, phases, start_, order);
         std::vector<OrderedStroke> result;
         for (std::size_t i = 0; i < chains_.size(); ++i) result.push_back({i, 0});

@@ -9,16 +9,18 @@ namespace {
 constexpr double stop_cost = 4;         // radii of travel that the two stops are worth
 constexpr double sample_chord = 0.001;  // mm
 
-double sharpness(Vec2 a, Vec2 b) { return std::atan2(std::abs(cross(a, b)), dot(a, b)); }
+bool in_line(Vec2 a, Vec2 b) {
+    constexpr double gentle = 0.98;  // cosine
+    return dot(a, b) >= gentle * length(a) * length(b);
+}
 
 // As far as both ends are nearly in line there is nothing to stop for.
 double straight_cost(const StrokeEnd& from, const StrokeEnd& to, double radius) {
-    constexpr double gentle = 0.2;  // rad
     const Vec2 way = to.at - from.at;
     const double far = length(way);
-    if (far < 1e-9) return sharpness(from.along, to.along) < gentle ? 0 : stop_cost * radius;
-    const double most = std::max(sharpness(from.along, way), sharpness(way, to.along));
-    return far + (most < gentle ? 0 : stop_cost * radius);
+    if (far < 1e-9) return in_line(from.along, to.along) ? 0 : stop_cost * radius;
+    const bool smooth = in_line(from.along, way) && in_line(way, to.along);
+    return far + (smooth ? 0 : stop_cost * radius);
 }
 
 double angle_of(Vec2 a) { return std::atan2(a.y, a.x); }
@@ -29,13 +31,15 @@ double turned_left(Vec2 from, Vec2 to) {
 }
 
 // Both circles on the sides `a` and `b` (1: left); as `dubins`, without the path itself.
-double word_length(const StrokeEnd& from, const StrokeEnd& to, double radius, double a, double b) {
+double word_length(const StrokeEnd& from, const StrokeEnd& to, double radius, double a, double b,
+                   double most) {
     const Vec2 way =
         (to.at + b * radius * left_of(to.along)) - (from.at + a * radius * left_of(from.along));
     const double apart = dot(way, way), across = a == b ? 0 : 2 * radius;
     const double rest = apart - across * across;
     if (rest < 0) return std::numeric_limits<double>::infinity();
     const double straight = std::sqrt(rest);
+    if (straight >= most) return straight;
     Vec2 along = from.along;
     if (apart > 1e-18) along = rotated(way, Vec2{straight, a * across}) / apart;
     const double first = a > 0 ? turned_left(from.along, along) : turned_left(along, from.along);
@@ -49,7 +53,7 @@ double travel_cost(const StrokeEnd& from, const StrokeEnd& to, double radius) {
     double best = straight_cost(from, to, radius);
     for (const double a : {-1.0, 1.0})
         for (const double b : {-1.0, 1.0})
-            best = std::min(best, word_length(from, to, radius, a, b));
+            best = std::min(best, word_length(from, to, radius, a, b, best));
     return best;
 }
 
