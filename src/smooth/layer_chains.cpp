@@ -109,8 +109,9 @@ class Builder {
             lines.push_back({lane.points, lane.closed});
             widest = std::max(widest, width_of(lane));
         }
-        const SegmentGrid grid(lines, 15 * width_of(lanes_[loops[0]]));
-        const double spacing = infill_spacing(grid, loops);
+        const SegmentGrid wide(lines, 15 * width_of(lanes_[loops[0]]));
+        const double spacing = infill_spacing(wide, loops);
+        const SegmentGrid grid(lines, 0.9 * widest);
         std::vector<InfillRing> rings;
         for (const std::size_t i : loops) rings.push_back({i, ring(i)});
         for (Chain& chain :

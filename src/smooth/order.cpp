@@ -8,7 +8,7 @@
 namespace bead {
 namespace {
 
-constexpr std::size_t few = 32;  // windings looked at while strokes are moved
+constexpr std::size_t few = 16;  // windings looked at while strokes are moved
 
 struct Search {
     const std::vector<Chain>& chains;
