@@ -14,8 +14,9 @@
 namespace bead {
 namespace {
 
-constexpr double same_place = 1e-6;  // mm
-constexpr double least_speed = 10;   // mm/s; a corner that would be passed more slowly stays
+constexpr double same_place = 1e-6;    // mm
+constexpr double chords_leave = 0.75;  // of a wall's tolerance, for the blend that they cut
+constexpr double least_speed = 9;      // mm/s; a corner that would be passed more slowly stays
 
 // What the layer's own travel is like.
 struct TravelKind {
@@ -49,9 +50,11 @@ struct Laid {
 struct Rung {
     double wall = 0.025;  // mm, chord from curve
     bool wall_blends = true;
+    double frequency = 1;  // of the highest mode: how much of it is heeded
 };
 // From fine to coarse; the first with which the budget can be kept is taken.
-constexpr std::array rungs{Rung{0.025, true}, Rung{0.033, true}, Rung{0.033, false}};
+constexpr std::array rungs{Rung{0.025, true, 1}, Rung{0.033, true, 1}, Rung{0.033, true, 0.8},
+                           Rung{0.033, false, 0.65}};
 constexpr double quietest = 20, loudest = 1000;  // mm/s²
 constexpr std::size_t few_points = 1000;         // below, coarse chords are not worth it
 
@@ -63,7 +66,7 @@ ChordOptions chord_options(const SmoothOptions& options, const Rung& rung, doubl
     ChordOptions chords;
     chords.wall = rung.wall;
     chords.infill = std::max(0.06, 2.5 * rung.wall);
-    chords.frequency = std::max(options.modes[0], options.modes[1]);
+    chords.frequency = rung.frequency * std::max(options.modes[0], options.modes[1]);
     chords.loudness = loudness;
     chords.acceleration = options.acceleration;
     if (options.stages.chords) return chords;
@@ -217,7 +220,8 @@ class Smoothing {
         laid.plain = measured(std::move(plain));
         laid.smooth = laid.plain;
         if (!options_.stages.blends || !lanes_[chains_[laid.chain].lanes[0]].level) return;
-        CornerTolerances tolerances{options_.tolerances.outer_wall, options_.tolerances.wall,
+        CornerTolerances tolerances{chords_leave * options_.tolerances.outer_wall,
+                                    chords_leave * options_.tolerances.wall,
                                     options_.tolerances.infill, true};
         tolerances.sharpest = options_.acceleration / (least_speed * least_speed);
         RoundedRibbon round = rounded(laid.plain.ribbon, tolerances);
