@@ -273,6 +273,10 @@ SmoothedLayer smoothed(const Toolpath& layer, const SmoothOptions& options) {
         rest.stages.bead_plan = rest.stages.thinning = false;
         Toolpath planned = options.stages.bead_plan ? bead_planned(layer) : layer;
         if (options.stages.thinning) planned = thinned(planned);
+        // Fewer beads need fewer points; up to those given they may be spent on finer chords.
+        const auto given = static_cast<double>(points_of(layer));
+        const auto left = static_cast<double>(points_of(planned));
+        if (left > 0) rest.point_budget = std::max(rest.point_budget, given / left);
         return smoothed(planned, rest);
     }
     std::vector<Lane> lanes = lanes_of(layer);
