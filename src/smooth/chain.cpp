@@ -133,6 +133,7 @@ Winding wall_winding(const Chain& chain, double seam, bool backward) {
 
 std::vector<Ring> all_reversed(const std::vector<Ring>& rings) {
     std::vector<Ring> result;
+    result.reserve(rings.size());
     for (const Ring& ring : rings) result.push_back(reversed(ring));
     return result;
 }

@@ -113,6 +113,7 @@ class Builder {
         const double spacing = infill_spacing(wide, loops);
         const SegmentGrid grid(lines, 0.9 * widest);
         std::vector<InfillRing> rings;
+        rings.reserve(loops.size());
         for (const std::size_t i : loops) rings.push_back({i, ring(i)});
         for (Chain& chain :
              infill_chains(std::move(rings), spacing, grid, 0.9 * widest, chain_options_))

@@ -30,7 +30,8 @@ Ring ring_of(Polyline points, std::vector<Flow> flows) {
 Ring reversed(const Ring& ring) {
     Polyline points(ring.points.rbegin(), ring.points.rend());
     std::vector<Flow> flows(ring.flows.rbegin(), ring.flows.rend());
-    std::ranges::rotate(flows, flows.begin() + 1);  // the closing segment stays the closing one
+    std::rotate(flows.begin(), flows.begin() + 1,
+                flows.end());  // the closing segment stays the closing one
     return ring_of(std::move(points), std::move(flows));
 }
 

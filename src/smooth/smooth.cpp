@@ -79,6 +79,7 @@ std::vector<Emitted> emitted(const std::vector<Laid>& strokes, const SmoothOptio
                              const Rung& rung, double loudness) {
     const ChordOptions chords = chord_options(options, rung, loudness);
     std::vector<Emitted> result;
+    result.reserve(strokes.size());
     for (const Laid& laid : strokes)
         result.push_back({chorded(laid.travel, chords),
                           chorded(rung.wall_blends ? laid.smooth : laid.plain, chords)});
