@@ -170,9 +170,10 @@ void Cycle::factor_coarsest() {
             unit_matrix[j * size + i] = column[i % c * corners + i / c];
     }
     ElementPattern pattern{int(c), int(corners), {}, {}};
-    for (std::size_t i = 0; i < grid.nodes(); ++i)
-        pattern.places.push_back(
-            {float(i % n[0]), float(i / n[0] % n[1]), float(i / (n[0] * n[1]))});
+    for (std::size_t i = 0; i < grid.nodes(); ++i) {
+        const std::size_t layer = i / (n[0] * n[1]);
+        pattern.places.push_back({float(i % n[0]), float(i / n[0] % n[1]), float(layer)});
+    }
     std::vector<float> factors;
     for (std::size_t cell = 0; cell < grid.factor.size(); ++cell) {
         if (grid.factor[cell] == 0) continue;

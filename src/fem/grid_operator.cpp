@@ -212,7 +212,9 @@ void multiply_space(const ElasticGrid& grid, const Real* u, Real* result) {
             std::array<const Real*, 12> in{};
             for (std::size_t c = 0; c < 3; ++c)
                 for (std::size_t k = 0; k < 4; ++k) in[4 * c + k] = u + c * nodes + line[k];
+#ifndef __clang__
 #pragma GCC ivdep
+#endif
             for (int i = run.begin; i < run.end; ++i)
                 cube<Real>(d, Real(factor[i]), in.data(), f.data(), i);
             for (std::size_t c = 0; c < 3; ++c)

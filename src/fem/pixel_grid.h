@@ -32,12 +32,12 @@ struct PixelGrid {
         return {first, first + 1, above + 1, above};
     }
     [[nodiscard]] Vec2 centre(std::size_t pixel) const {
-        return origin + size * Vec2{double(pixel % std::size_t(columns)) + 0.5,
-                                    double(pixel / std::size_t(columns)) + 0.5};
+        const std::size_t row = pixel / std::size_t(columns);
+        return origin + size * Vec2{double(pixel % std::size_t(columns)) + 0.5, double(row) + 0.5};
     }
     [[nodiscard]] Vec2 place(std::size_t node) const {
-        return origin + size * Vec2{double(node % std::size_t(columns + 1)),
-                                    double(node / std::size_t(columns + 1))};
+        const std::size_t row = node / std::size_t(columns + 1);
+        return origin + size * Vec2{double(node % std::size_t(columns + 1)), double(row)};
     }
 };
 

@@ -81,7 +81,8 @@ TEST(Smooth, KeepsWhatIsLaidDownAndSaid) {
                             "psd_top3",
                             "timing",
                             "machine"})
-        EXPECT_NE(outcome.out.find("\"" + std::string(key) + "\"", after), std::string::npos)
+        EXPECT_NE(outcome.out.find(std::string("\"").append(key).append("\""), after),
+                  std::string::npos)
             << key;
 
     const std::string text = content(out);
@@ -167,7 +168,7 @@ TEST(Smooth, RefusesWhatCannotBe) {
 
 TEST(Smooth, RefusesFilesThatAreNoPrint) {
     const Folder folder;
-    for (const std::string text :
+    for (const std::string& text :
          {std::string("G28\nG1 X10 F600\nG1 Y10\n"), std::string("GCDE\1\2\3"),
           std::string("PK\3\4zip"), std::string("hello\n"), std::string(),
           std::string("G28\nG1 X10 Z.2\nG3 X-10 Y0 I-400000 J0 E3\n")}) {
