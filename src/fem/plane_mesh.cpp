@@ -7,9 +7,7 @@ namespace {
 class Lattice {
   public:
     Lattice(PlaneElement kind, int columns, int rows, const std::function<Vec2(Vec2)>& map)
-        : columns_(columns),
-          rows_(rows),
-          number_(std::size_t(2 * columns + 1) * std::size_t(2 * rows + 1), -1) {
+        : columns_(columns), number_(std::size_t(2 * columns + 1) * std::size_t(2 * rows + 1), -1) {
         mesh.kind = kind;
         for (int j = 0; j <= 2 * rows; ++j)
             for (int i = 0; i <= 2 * columns; ++i) {
@@ -35,7 +33,7 @@ class Lattice {
     [[nodiscard]] std::size_t place(int i, int j) const {
         return std::size_t(j) * std::size_t(2 * columns_ + 1) + std::size_t(i);
     }
-    int columns_, rows_;
+    int columns_;
     std::vector<int> number_;
 };
 

@@ -87,7 +87,7 @@ Displacement PlaneSolver::solve_moved(std::span<const double> load,
 std::vector<double> PlaneSolver::forces(std::span<const double> displacement) const {
     const PlaneMesh& mesh = factor_->mesh;
     std::vector<double> result(displacement.size(), 0.0);
-    const auto size = std::size_t(2 * nodes_of(mesh.kind));
+    const std::size_t size = 2 * std::size_t(nodes_of(mesh.kind));
     std::vector<double> matrix(size * size);
     for (std::size_t e = 0; e < mesh.count(); ++e) {
         stiffness(mesh.kind, mesh.places(e), factor_->law, matrix);

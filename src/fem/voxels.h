@@ -20,8 +20,8 @@ struct VoxelGrid {
     }
     [[nodiscard]] Vec3 place(std::size_t node) const {
         const auto n = counts();
-        return origin + size * Vec3{double(node % n[0]), double(node / n[0] % n[1]),
-                                    double(node / (n[0] * n[1]))};
+        const std::size_t row = node / n[0] % n[1], layer = node / (n[0] * n[1]);
+        return origin + size * Vec3{double(node % n[0]), double(row), double(layer)};
     }
 };
 
