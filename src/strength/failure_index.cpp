@@ -43,7 +43,8 @@ std::vector<double> averaged_over_solid(const PixelModel& model, const std::vect
             if (solid[grid.pixel(i, j)] == 0) continue;
             double sum = 0, count = 0;
             for (int y = std::max(-rows, -j); y <= std::min(rows, grid.rows - 1 - j); ++y) {
-                const int h = half[static_cast<std::size_t>(y + rows)];
+                const int at = y + rows;
+                const int h = half[static_cast<std::size_t>(at)];
                 const int from = std::max(i - h, 0), to = std::min(i + h + 1, grid.columns);
                 const std::size_t row = grid.node(0, j + y);
                 sum += sums[row + static_cast<std::size_t>(to)] -

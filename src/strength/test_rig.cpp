@@ -39,6 +39,7 @@ std::vector<Polyline> loaded_lines(const LoadCase& load_case,
 
 std::vector<Vec2> middles(const std::vector<Polyline>& lines) {
     std::vector<Vec2> places;
+    places.reserve(lines.size());
     for (const Polyline& line : lines) places.push_back(line[line.size() / 2]);
     return places;
 }

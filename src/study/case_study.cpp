@@ -57,7 +57,8 @@ void count_pattern(BracketFindings& found, const Energies& energies, std::size_t
 }
 
 void count_set_ups(BracketFindings& found, const Energies& energies) {
-    for (const auto& [angles, patterns_there] : energies) {
+    for (const auto& set_up : energies) {
+        const std::map<std::size_t, double>& patterns_there = set_up.second;
         if (patterns_there.size() < experiment_patterns) continue;
         ++found.set_ups;
         const bool lowest = std::ranges::all_of(patterns_there, [&](const auto& other) {

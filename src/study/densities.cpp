@@ -250,7 +250,8 @@ class Iteration {
         for (int pass = 0; pass < far; ++pass) {
             const std::vector<double> known = weight;
             const auto at = [&](int i, int j) {
-                return static_cast<std::size_t>(j * field.columns + i);
+                return static_cast<std::size_t>(j) * static_cast<std::size_t>(field.columns) +
+                       static_cast<std::size_t>(i);
             };
             for (int j = 0; j < field.rows; ++j)
                 for (int i = 0; i < field.columns; ++i) {

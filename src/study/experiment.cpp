@@ -40,6 +40,7 @@ std::vector<Layer> layers_of(const Region& outline) {
     constexpr double first = 0.2, height = 0.1;
     constexpr int count = 20;
     std::vector<Layer> layers;
+    layers.reserve(count);
     for (int i = 0; i < count; ++i)
         layers.push_back({first + i * height, i == 0 ? first : height, outline});
     return layers;

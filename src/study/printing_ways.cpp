@@ -49,9 +49,10 @@ Polyline with_curves(const Polyline& loop) {
 void begin_at_lowest(Path& path) {
     if (!is_loop(path)) return;
     Polyline loop = loop_of(path);
-    std::ranges::rotate(loop, std::ranges::min_element(loop, [](Vec2 a, Vec2 b) {
-                            return std::pair(a.y, a.x) < std::pair(b.y, b.x);
-                        }));
+    const auto lowest = std::min_element(loop.begin(), loop.end(), [](Vec2 a, Vec2 b) {
+        return std::pair(a.y, a.x) < std::pair(b.y, b.x);
+    });
+    std::rotate(loop.begin(), lowest, loop.end());
     loop.push_back(loop.front());
     for (std::size_t i = 0; i < loop.size(); ++i)
         path.points[i] = at_height(loop[i], path.points[i].z);
