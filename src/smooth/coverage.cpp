@@ -41,6 +41,7 @@ std::vector<Line> wall_lines(const Toolpath& layer) {
 
 Region covered(const std::vector<Line>& lines) {
     std::vector<WideLine> wide;
+    wide.reserve(lines.size());
     for (const Line& line : lines) wide.push_back({line.points, line.width});
     return covered_by(wide);
 }

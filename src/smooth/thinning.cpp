@@ -211,6 +211,7 @@ Toolpath thinned(const Toolpath& layer, const ThinningOptions& options) {
     const std::vector<std::size_t> loops = infill_loops(strokes);
     if (loops.size() < 2) return joined(std::move(strokes));
     std::vector<Path> paths;
+    paths.reserve(loops.size());
     for (const std::size_t stroke : loops) paths.push_back(strokes.strokes[stroke].path);
     const Bead bead = paths.front().bead;
     if (bead.height <= 0 || bead.width <= 0) return joined(std::move(strokes));
