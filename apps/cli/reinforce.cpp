@@ -67,7 +67,7 @@ Assessment write_layout(const Options& options, const LayeredLayout& print,
             judge.add(command);
         });
     }
-    const Assessment cost = judge.finish();
+    Assessment cost = judge.finish();
     out.stream() << fmt::format("; filament used [mm] = {:.2f}\n; filament used [g] = {:.2f}\n",
                                 cost.motion.extruded, grams(cost.motion.extruded, machine));
     out.keep();
