@@ -193,6 +193,7 @@ void declare_smooth(CLI::App& command, Options& options) {
         ->type_name("14,22");
     declare_stages(command, options);
     std::vector<std::string> laws;
+    laws.reserve(named_laws.size());
     for (const NamedLaw& row : named_laws) laws.emplace_back(row.name);
     command
         .add_option("--law", options.law,
