@@ -62,7 +62,8 @@ std::string elements(const Sheet& sheet, const Page& page_of, double scale) {
         PlaneTensor mean;
         for (const int node : nodes.first(corners))
             mean = mean + 1.0 / double(corners) * sheet.answers[0].stress[std::size_t(node)];
-        std::string& path = paths[std::size_t(shade(mean, scale) + shades)];
+        const int at = shade(mean, scale) + shades;
+        std::string& path = paths[std::size_t(at)];
         char stroke = 'M';
         for (const int node : nodes.first(corners)) {
             path.push_back(stroke);
@@ -73,7 +74,8 @@ std::string elements(const Sheet& sheet, const Page& page_of, double scale) {
     }
     std::string text;
     for (int k = -shades; k <= shades; ++k) {
-        const std::string& path = paths[std::size_t(k + shades)];
+        const int at = k + shades;
+        const std::string& path = paths[std::size_t(at)];
         if (!path.empty())
             text +=
                 fmt::format("<path fill=\"{0}\" stroke=\"{0}\" stroke-width=\"0.4\" d=\"{1}\"/>\n",
