@@ -4,14 +4,12 @@
 #include <fmt/ostream.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <limits>
-#include <sstream>
 
 #include "core/error.h"
 #include "job/one_line.h"
 #include "job/toml_reader.h"
+#include "job/whole_text.h"
 
 namespace bead {
 namespace {
@@ -51,13 +49,7 @@ void write_calibrated(std::ostream& out, const CalibratedModel& model, const std
 }
 
 CalibratedModel read_calibrated(const std::string& name) {
-    std::error_code fault;
-    std::ifstream stream(name, std::ios::binary);
-    if (!stream || std::filesystem::is_directory(name, fault))
-        throw Error(name + ": cannot be read; is the path right?");
-    std::ostringstream text;
-    text << stream.rdbuf();
-    TomlReader file(std::move(text).str(), name);
+    TomlReader file(whole_text(name), name);
     CalibratedModel model;
     if (file.text("model", "").empty())
         throw Error(name + ": has no model; write it with beadwork calibrate -o");

@@ -2,15 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-#include <fstream>
 #include <optional>
-#include <sstream>
 
 #include "core/error.h"
 #include "job/one_line.h"
 #include "job/parsed_toml.h"
 #include "job/prusa_ini.h"
+#include "job/whole_text.h"
 
 namespace bead {
 namespace {
@@ -35,16 +33,6 @@ void read_toml(Settings& settings, std::string_view text, const std::string& fil
                             where, one_line(key.str())));
         set(settings, key.str(), *value, where);
     }
-}
-
-std::string whole_text(const std::string& file) {
-    std::error_code fault;
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream || std::filesystem::is_directory(file, fault))
-        throw Error(file + ": cannot be read; is the path right?");
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return std::move(text).str();
 }
 
 }  // namespace

@@ -5,25 +5,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "core/error.h"
 #include "job/one_line.h"
+#include "job/whole_text.h"
 
 namespace bead {
 namespace {
-
-std::string whole_text(const std::string& file) {
-    std::error_code fault;
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream || std::filesystem::is_directory(file, fault))
-        throw Error(file + ": cannot be read; is the path right?");
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return std::move(text).str();
-}
 
 // The one of , ; and tab that the first row has most of.
 char separator_in(std::string_view line) {

@@ -5,15 +5,13 @@
 
 #include <array>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
-#include <sstream>
 
 #include "core/error.h"
 #include "job/one_line.h"
+#include "job/whole_text.h"
 
 namespace bead {
 namespace {
@@ -142,13 +140,7 @@ PrintHistory parsed_print_history(std::string_view text, const std::string& name
 }
 
 PrintHistory read_print_history(const std::string& file, const std::string& sensor) {
-    std::error_code fault;
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream || std::filesystem::is_directory(file, fault))
-        throw Error(file + ": cannot be read; is the path right?");
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return parsed_print_history(std::move(text).str(), file, sensor);
+    return parsed_print_history(whole_text(file), file, sensor);
 }
 
 }  // namespace bead
