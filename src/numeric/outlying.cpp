@@ -45,6 +45,7 @@ std::optional<Agreement> agreement(const Rows& rows, const std::vector<double>& 
 
 double median_error(const std::vector<double>& ratios) {
     std::vector<double> errors;
+    errors.reserve(ratios.size());
     for (const double ratio : ratios) errors.push_back(std::abs(ratio - 1));
     const auto middle = errors.begin() + std::ptrdiff_t(errors.size() / 2);
     std::ranges::nth_element(errors, middle);

@@ -106,8 +106,8 @@ std::string key(const std::vector<const ChartSeries*>& named) {
     for (std::size_t k = 0; k < named.size(); ++k) {
         const ChartSeries& series = *named[k];
         const double x = left + width / key_columns * static_cast<double>(k % key_columns);
-        const double y =
-            top + height + below + key_line * (1 + static_cast<double>(k / key_columns));
+        const std::size_t row = 1 + k / key_columns;
+        const double y = top + height + below + key_line * static_cast<double>(row);
         if (series.mark == ChartMark::curve)
             out += fmt::format("<path d=\"M{} {}h20\" stroke=\"{}\" stroke-width=\"3\"/>",
                                decimal(x), decimal(y - 4), series.ink);
@@ -124,7 +124,8 @@ std::string chart(const Chart& chart) {
     std::vector<const ChartSeries*> named;
     for (const ChartSeries& series : chart.series)
         if (!series.name.empty()) named.push_back(&series);
-    const auto key_rows = static_cast<double>((named.size() + key_columns - 1) / key_columns);
+    const std::size_t rows = (named.size() + key_columns - 1) / key_columns;
+    const auto key_rows = static_cast<double>(rows);
     std::string out = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" "
         "font-family=\"sans-serif\" font-size=\"13\">\n"

@@ -44,7 +44,8 @@ Path begun_at(Path path, std::size_t corner) {
         return path;
     }
     path.points.pop_back();
-    std::ranges::rotate(path.points, path.points.begin() + static_cast<std::ptrdiff_t>(corner));
+    const auto start = path.points.begin() + static_cast<std::ptrdiff_t>(corner);
+    std::rotate(path.points.begin(), start, path.points.end());
     path.points.push_back(path.points.front());
     return path;
 }
