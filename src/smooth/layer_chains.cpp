@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 
 #include "smooth/dense.h"
+#include "smooth/infill_chain.h"
 #include "smooth/nesting.h"
+#include "smooth/segment_grid.h"
+#include "smooth/wall_chain.h"
 
 namespace bead {
 namespace {
@@ -81,17 +83,16 @@ class Builder {
 
     // Four fifths of all places of infill loops that have another loop beside them are at most that
     // far from it.
-    double infill_spacing(const SegmentGrid& grid, const std::vector<std::size_t>& loops) const {
+    [[nodiscard]] double infill_spacing(const std::vector<std::size_t>& loops) const {
+        std::vector<SegmentGrid::Line> lines(lanes_.size());
+        for (std::size_t i = 0; i < lanes_.size(); ++i)
+            if (is_infill(lanes_[i].role)) lines[i] = {lanes_[i].points, lanes_[i].closed};
+        const double width = width_of(lanes_[loops[0]]);
+        const SegmentGrid grid(lines, 15 * width, 2 * width);
         std::vector<double> apart;
         for (const std::size_t i : loops)
-            for (const Vec2 point : lanes_[i].points) {
-                std::optional<double> least;
-                for (const NearLine& near : grid.near(point))
-                    if (near.line != i && is_infill(lanes_[near.line].role) &&
-                        (!least || near.distance < *least))
-                        least = near.distance;
-                if (least) apart.push_back(*least);
-            }
+            for (const Vec2 point : lanes_[i].points)
+                if (const auto other = grid.nearest_other(point, i)) apart.push_back(*other);
         if (apart.empty()) return 0;
         const auto fifth = static_cast<std::ptrdiff_t>(apart.size() * 4 / 5);
         std::ranges::nth_element(apart, apart.begin() + fifth);
@@ -104,19 +105,18 @@ class Builder {
             if (is_infill(lanes_[i].role) && lanes_[i].closed) loops.push_back(i);
         if (loops.empty() || !options_.stages.chains) return;
         std::vector<SegmentGrid::Line> lines;
+        lines.reserve(lanes_.size());
         double widest = 0;
         for (const Lane& lane : lanes_) {
             lines.push_back({lane.points, lane.closed});
             widest = std::max(widest, width_of(lane));
         }
-        const SegmentGrid wide(lines, 15 * width_of(lanes_[loops[0]]));
-        const double spacing = infill_spacing(wide, loops);
         const SegmentGrid grid(lines, 0.9 * widest);
+        const InfillSurroundings surroundings{infill_spacing(loops), grid, 0.9 * widest};
         std::vector<InfillRing> rings;
         rings.reserve(loops.size());
         for (const std::size_t i : loops) rings.push_back({i, ring(i)});
-        for (Chain& chain :
-             infill_chains(std::move(rings), spacing, grid, 0.9 * widest, chain_options_))
+        for (Chain& chain : infill_chains(std::move(rings), surroundings, chain_options_))
             add(std::move(chain));
     }
 

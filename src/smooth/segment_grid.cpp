@@ -1,8 +1,7 @@
 #include "smooth/segment_grid.h"
 
 #include <algorithm>
-
-#include "geom/deviation.h"
+#include <limits>
 
 namespace bead {
 namespace {
@@ -13,73 +12,129 @@ std::int64_t index_of(double along, double cell) {
     return static_cast<std::int64_t>(std::floor(along / cell));
 }
 
+double squared_distance(Vec2 a, Vec2 b, Vec2 point) {
+    const Vec2 along = b - a, to = point - a;
+    const double square = dot(along, along);
+    const double t = square > 0 ? std::clamp(dot(to, along) / square, 0.0, 1.0) : 0;
+    const Vec2 off = to - t * along;
+    return dot(off, off);
+}
+
+Box2 box_of(const std::vector<SegmentGrid::Line>& lines) {
+    Box2 box;
+    for (const SegmentGrid::Line& line : lines)
+        for (const Vec2 point : line.points) box.include(point);
+    if (box.is_empty()) box.include(Vec2{});
+    return box;
+}
+
 }  // namespace
 
-SegmentGrid::SegmentGrid(const std::vector<Line>& lines, double reach) : reach_(reach) {
-    Polyline corners;
-    for (const Line& line : lines) {
-        const Box2 box = bounds(line.points);
-        corners.push_back(box.low);
-        corners.push_back(box.high);
-    }
-    if (corners.empty()) corners.emplace_back();
-    const Box2 box = bounds(corners);
-    const Vec2 size = box.high - box.low;
-    reach_ = std::max(reach, std::sqrt(size.x * size.y / most_cells));
-    reach_ = std::max(reach_, (size.x + size.y) / most_cells);
+SegmentGrid::SegmentGrid(const std::vector<Line>& lines, double reach, double cell)
+    : reach_(reach), cell_(cell > 0 ? cell : reach) {
+    const Box2 box = box_of(lines);
+    const Vec2 size = box.size();
+    cell_ = std::max(cell_, std::sqrt(size.x * size.y / most_cells));
+    cell_ = std::max(cell_, (size.x + size.y) / most_cells);
     low_ = box.low;
-    columns_ = index_of(size.x, reach_) + 1;
-    rows_ = index_of(size.y, reach_) + 1;
+    columns_ = index_of(size.x, cell_) + 1;
+    rows_ = index_of(size.y, cell_) + 1;
+    std::vector<Entry> entries;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const std::span<const Vec2> points = lines[i].points;
         const auto number = static_cast<std::uint32_t>(i);
-        for (std::size_t k = 0; k + 1 < points.size(); ++k) add(number, points[k], points[k + 1]);
-        if (lines[i].closed) add(number, points.back(), points.front());
+        for (std::size_t k = 0; k + 1 < points.size(); ++k)
+            add(number, points[k], points[k + 1], entries);
+        if (lines[i].closed && !points.empty()) add(number, points.back(), points.front(), entries);
     }
-    std::ranges::stable_sort(segments_, {}, &Segment::cell);
-    starts_.assign(static_cast<std::size_t>(columns_ * rows_) + 1, 0);
-    for (const Segment& segment : segments_) ++starts_[segment.cell + 1];
-    for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
-}
-
-std::uint64_t SegmentGrid::cell(std::int64_t column, std::int64_t row) const {
-    return static_cast<std::uint64_t>(row * columns_ + column);
+    sort(entries);
 }
 
 // Long segments in steps, so that a slanted one is not in all the cells of its box.
-void SegmentGrid::add(std::uint32_t line, Vec2 a, Vec2 b) {
-    const auto parts = static_cast<int>(distance(a, b) / reach_) + 1;
+void SegmentGrid::add(std::uint32_t line, Vec2 a, Vec2 b, std::vector<Entry>& entries) {
+    const auto number = static_cast<std::uint32_t>(segments_.size());
+    segments_.push_back({a, b, line});
+    const auto parts = static_cast<int>(distance(a, b) / cell_) + 1;
+    const std::size_t first = entries.size();
     for (int i = 0; i < parts; ++i) {
         const Vec2 p = lerp(a, b, static_cast<double>(i) / parts) - low_;
         const Vec2 q = lerp(a, b, (i + 1.0) / parts) - low_;
-        for (auto y = index_of(std::min(p.y, q.y), reach_);
-             y <= index_of(std::max(p.y, q.y), reach_); ++y)
-            for (auto x = index_of(std::min(p.x, q.x), reach_);
-                 x <= index_of(std::max(p.x, q.x), reach_); ++x)
-                if (x >= 0 && y >= 0 && x < columns_ && y < rows_)
-                    segments_.push_back({cell(x, y), line, p + low_, q + low_});
+        const std::int64_t right = std::min(index_of(std::max(p.x, q.x), cell_), columns_ - 1);
+        const std::int64_t top = std::min(index_of(std::max(p.y, q.y), cell_), rows_ - 1);
+        for (auto y = std::max<std::int64_t>(index_of(std::min(p.y, q.y), cell_), 0); y <= top; ++y)
+            for (auto x = std::max<std::int64_t>(index_of(std::min(p.x, q.x), cell_), 0);
+                 x <= right; ++x) {
+                const auto cell = static_cast<std::uint32_t>(y * columns_ + x);
+                const bool again = entries.size() > first && entries.back().cell == cell;
+                if (!again) entries.push_back({cell, number});
+            }
     }
+}
+
+void SegmentGrid::sort(const std::vector<Entry>& entries) {
+    starts_.assign(static_cast<std::size_t>(columns_ * rows_) + 1, 0);
+    for (const Entry& entry : entries) ++starts_[entry.cell + 1];
+    for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
+    numbers_.resize(entries.size());
+    std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
+    for (const Entry& entry : entries) numbers_[next[entry.cell]++] = entry.segment;
+}
+
+SegmentGrid::Cells SegmentGrid::cells_around(Vec2 point, double distance) const {
+    const Vec2 p = point - low_;
+    return {std::max<std::int64_t>(index_of(p.x - distance, cell_), 0),
+            std::min(index_of(p.x + distance, cell_), columns_ - 1),
+            std::max<std::int64_t>(index_of(p.y - distance, cell_), 0),
+            std::min(index_of(p.y + distance, cell_), rows_ - 1)};
+}
+
+template <class Visit>
+bool SegmentGrid::visit(const Cells& cells, Vec2 point, const Visit& visitor) const {
+    if (cells.left > cells.right) return true;
+    for (auto y = cells.bottom; y <= cells.top; ++y) {
+        const auto row = static_cast<std::size_t>(y * columns_);
+        const std::uint32_t last = starts_[row + static_cast<std::size_t>(cells.right) + 1];
+        for (std::uint32_t i = starts_[row + static_cast<std::size_t>(cells.left)]; i < last; ++i) {
+            const Segment& segment = segments_[numbers_[i]];
+            if (!visitor(segment.line, squared_distance(segment.a, segment.b, point))) return false;
+        }
+    }
+    return true;
 }
 
 std::vector<NearLine> SegmentGrid::near(Vec2 point) const {
     std::vector<NearLine> result;
-    const Vec2 p = point - low_;
-    const std::int64_t column = index_of(p.x, reach_), row = index_of(p.y, reach_);
-    for (auto y = std::max<std::int64_t>(row - 1, 0); y <= std::min(row + 1, rows_ - 1); ++y)
-        for (auto x = std::max<std::int64_t>(column - 1, 0);
-             x <= std::min(column + 1, columns_ - 1); ++x)
-            for (std::size_t i = starts_[cell(x, y)]; i < starts_[cell(x, y) + 1]; ++i) {
-                const Segment& segment = segments_[i];
-                const double away = segment_distance(segment.a, segment.b, point);
-                if (away > reach_) continue;
-                const auto known = std::ranges::find(result, segment.line, &NearLine::line);
-                if (known == result.end())
-                    result.push_back({segment.line, away});
-                else
-                    known->distance = std::min(known->distance, away);
-            }
+    visit(cells_around(point, reach_), point, [&](std::size_t line, double square) {
+        if (square > reach_ * reach_) return true;
+        const auto known = std::ranges::find(result, line, &NearLine::line);
+        if (known == result.end())
+            result.push_back({line, square});
+        else
+            known->distance = std::min(known->distance, square);
+        return true;
+    });
+    for (NearLine& near : result) near.distance = std::sqrt(near.distance);
     std::ranges::sort(result, {}, &NearLine::line);
     return result;
+}
+
+// In growing squares: what is within a square's half side is in its cells.
+std::optional<double> SegmentGrid::nearest_other(Vec2 point, std::size_t line) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (double half = std::min(cell_, reach_);; half = std::min(2 * half, reach_)) {
+        visit(cells_around(point, half), point, [&](std::size_t other, double square) {
+            if (other != line) least = std::min(least, square);
+            return true;
+        });
+        if (least <= half * half) return std::sqrt(least);
+        if (half >= reach_) return {};
+    }
+}
+
+bool SegmentGrid::is_clear(Vec2 point, double distance, std::array<std::size_t, 2> but) const {
+    return visit(cells_around(point, distance), point, [&](std::size_t line, double square) {
+        return square >= distance * distance || line == but[0] || line == but[1];
+    });
 }
 
 }  // namespace bead

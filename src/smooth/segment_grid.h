@@ -1,6 +1,8 @@
 // Segments of many lines found by place: which lines come near to a point, and how near.
 #pragma once
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,25 +22,39 @@ class SegmentGrid {
         std::span<const Vec2> points;
         bool closed = false;
     };
-    SegmentGrid(const std::vector<Line>& lines, double reach);
+    SegmentGrid(const std::vector<Line>& lines, double reach, double cell = 0);
 
     // Every line within reach, once, by number.
     [[nodiscard]] std::vector<NearLine> near(Vec2 point) const;
+    // How far the nearest line is but for one, if one is within reach.
+    [[nodiscard]] std::optional<double> nearest_other(Vec2 point, std::size_t line) const;
+    // Whether all lines but two keep at least this distance, which is within reach.
+    [[nodiscard]] bool is_clear(Vec2 point, double distance, std::array<std::size_t, 2> but) const;
 
   private:
     struct Segment {
-        std::uint64_t cell;
-        std::uint32_t line;
         Vec2 a, b;
+        std::uint32_t line;
     };
-    [[nodiscard]] std::uint64_t cell(std::int64_t column, std::int64_t row) const;
-    void add(std::uint32_t line, Vec2 a, Vec2 b);
+    struct Entry {
+        std::uint32_t cell, segment;
+    };
+    struct Cells {  // both ends included
+        std::int64_t left, right, bottom, top;
+    };
+    [[nodiscard]] Cells cells_around(Vec2 point, double distance) const;
+    void add(std::uint32_t line, Vec2 a, Vec2 b, std::vector<Entry>& entries);
+    void sort(const std::vector<Entry>& entries);
+    // Until the visitor, given a line and its squared distance, returns false. In any order.
+    template <class Visit>
+    bool visit(const Cells& cells, Vec2 point, const Visit& visitor) const;
 
-    double reach_;
+    double reach_, cell_;  // mm
     Vec2 low_;
     std::int64_t columns_ = 1, rows_ = 1;
-    std::vector<Segment> segments_;    // by cell; in every cell that their boxes touch
-    std::vector<std::size_t> starts_;  // of the cells in `segments_`, and the end
+    std::vector<Segment> segments_;
+    std::vector<std::uint32_t> starts_;   // of the cells in `numbers_`, and the end
+    std::vector<std::uint32_t> numbers_;  // of the segments in every cell that they may touch
 };
 
 }  // namespace bead

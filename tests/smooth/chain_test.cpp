@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "smooth/order.h"
+#include "smooth/wall_chain.h"
 #include "support/blocks.h"
 #include "support/smooth_layers.h"
 
