@@ -1,7 +1,5 @@
 #include "smooth/chord_error.h"
 
-#include <algorithm>
-
 #include "core/expects.h"
 #include "smooth/segment_lattice.h"
 
@@ -16,8 +14,7 @@ double chord_error(const Toolpath& layer, Role role, std::span<const Polyline> c
         if (path.role != role) continue;
         Polyline line;
         for (const Vec3& p : path.points) line.push_back(flat(p));
-        for (const Vec2 p : places_along(line, step))
-            farthest = std::max(farthest, near.distance_to(p));
+        farthest = near.farthest(places_along(line, step), farthest);
     }
     return farthest;
 }

@@ -55,8 +55,7 @@ double laid(const std::vector<Line>& lines) {
 double farthest(const std::vector<Polyline>& from, const SegmentLattice& to) {
     constexpr double step = 0.1;  // mm
     double result = 0;
-    for (const Polyline& line : from)
-        for (const Vec2 p : places_along(line, step)) result = std::max(result, to.distance_to(p));
+    for (const Polyline& line : from) result = to.farthest(places_along(line, step), result);
     return result;
 }
 

@@ -67,39 +67,69 @@ void SegmentLattice::for_each_cell(const Segment& segment, const Visit& visit) c
     }
 }
 
-double SegmentLattice::nearest_in_cell(Vec2 point, std::int64_t column, std::int64_t row) const {
-    if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return nowhere;
-    const auto at = static_cast<std::size_t>(row * columns_ + column);
-    double least = nowhere;
-    for (std::uint32_t i = begin_[at]; i < begin_[at + 1]; ++i) {
-        const Segment& segment = segments_[entries_[i]];
-        least = std::min(least, segment_distance(segment.a, segment.b, point));
-    }
-    return least;
+double SegmentLattice::distance_of(std::size_t segment, Vec2 point) const {
+    return segment_distance(segments_[segment].a, segments_[segment].b, point);
 }
 
-double SegmentLattice::nearest_in_ring(Vec2 point, std::int64_t ring) const {
+void SegmentLattice::look_in_cell(Vec2 point, std::int64_t column, std::int64_t row,
+                                  Nearest& nearest) const {
+    if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return;
+    const auto at = static_cast<std::size_t>(row * columns_ + column);
+    for (std::uint32_t i = begin_[at]; i < begin_[at + 1]; ++i) {
+        const double away = distance_of(entries_[i], point);
+        if (away < nearest.distance) nearest = {away, entries_[i]};
+    }
+}
+
+void SegmentLattice::look_in_ring(Vec2 point, std::int64_t ring, Nearest& nearest) const {
     const std::int64_t c = column(point.x), r = row(point.y);
-    double least = nowhere;
     for (std::int64_t i = -ring; i <= ring; ++i) {
         const bool edge = i == -ring || i == ring;
         for (std::int64_t k = -ring; k <= ring; k += edge || ring == 0 ? 1 : 2 * ring)
-            least = std::min(least, nearest_in_cell(point, c + k, r + i));
+            look_in_cell(point, c + k, r + i, nearest);
     }
-    return least;
 }
 
-double SegmentLattice::distance_to(Vec2 point) const {
-    if (segments_.empty()) return nowhere;
+SegmentLattice::Nearest SegmentLattice::nearest_to(Vec2 point) const {
+    Nearest nearest{nowhere, 0};
+    if (segments_.empty()) return nearest;
     // From a point outside the box everything is as far again as the box is.
     const Vec2 inside{std::clamp(point.x, box_.low.x, box_.high.x),
                       std::clamp(point.y, box_.low.y, box_.high.y)};
     const double outside = distance(point, inside);
-    double least = nowhere;
     const std::int64_t rings = std::max(columns_, rows_);
     for (std::int64_t ring = 0; ring <= rings; ++ring) {
-        least = std::min(least, nearest_in_ring(point, ring));
-        if (least <= static_cast<double>(ring) * cell_ - outside) break;
+        look_in_ring(point, ring, nearest);
+        if (nearest.distance <= static_cast<double>(ring) * cell_ - outside) break;
+    }
+    return nearest;
+}
+
+double SegmentLattice::distance_to(Vec2 point) const { return nearest_to(point).distance; }
+
+// From segment to segment as long as the point comes nearer.
+SegmentLattice::Nearest SegmentLattice::followed(Vec2 point, std::size_t segment) const {
+    Nearest here{distance_of(segment, point), segment};
+    for (const bool onwards : {true, false})
+        while (onwards ? here.segment + 1 < segments_.size() : here.segment > 0) {
+            const std::size_t next = onwards ? here.segment + 1 : here.segment - 1;
+            const double away = distance_of(next, point);
+            if (away >= here.distance) break;
+            here = {away, next};
+        }
+    return here;
+}
+
+double SegmentLattice::farthest(const Polyline& places, double least) const {
+    if (segments_.empty() && !places.empty()) return nowhere;
+    std::size_t segment = 0;
+    for (const Vec2 place : places) {
+        Nearest nearest = followed(place, segment);
+        if (nearest.distance > least) {
+            nearest = nearest_to(place);
+            least = std::max(least, nearest.distance);
+        }
+        segment = nearest.segment;
     }
     return least;
 }

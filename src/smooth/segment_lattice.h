@@ -15,6 +15,10 @@ class SegmentLattice {
 
     // mm; infinity if there are no lines.
     [[nodiscard]] double distance_to(Vec2 point) const;
+    // The largest of the places' distances, or `least` if none is larger. For places in a row that
+    // is found much sooner than each distance: a place with any segment within what is known
+    // already needs no more looking.
+    [[nodiscard]] double farthest(const Polyline& places, double least = 0) const;
 
   private:
     struct Segment {
@@ -22,8 +26,15 @@ class SegmentLattice {
     };
     [[nodiscard]] std::int64_t column(double x) const;
     [[nodiscard]] std::int64_t row(double y) const;
-    [[nodiscard]] double nearest_in_ring(Vec2 point, std::int64_t ring) const;
-    [[nodiscard]] double nearest_in_cell(Vec2 point, std::int64_t column, std::int64_t row) const;
+    struct Nearest {
+        double distance;
+        std::size_t segment;
+    };
+    void look_in_cell(Vec2 point, std::int64_t column, std::int64_t row, Nearest& nearest) const;
+    void look_in_ring(Vec2 point, std::int64_t ring, Nearest& nearest) const;
+    [[nodiscard]] Nearest nearest_to(Vec2 point) const;
+    [[nodiscard]] Nearest followed(Vec2 point, std::size_t segment) const;
+    [[nodiscard]] double distance_of(std::size_t segment, Vec2 point) const;
     template <class Visit>
     void for_each_cell(const Segment& segment, const Visit& visit) const;
 
