@@ -27,45 +27,79 @@ Limits limits_for(const Flow& flow, const ChordOptions& options) {
     return {options.wall, options.turn};
 }
 
-// Whether chords that push at r times the mode do so quietly enough.
-bool is_quiet(double r, double acceleration, double loudness) {
-    const double above = r * r - 1, share = acceleration / loudness;
-    return r > 1 && above * above * above >= r * share * share;
-}
+// What does not change while a chord from one point is drawn out.
+class ChordFrom {
+  public:
+    ChordFrom(const MeasuredRibbon& measured, std::size_t first, const ChordOptions& options)
+        : measured_(measured),
+          options_(options),
+          first_(first),
+          flow_(measured.ribbon.flows[first]),
+          limits_(limits_for(flow_, options)),
+          start_(measured.ribbon.points[first]) {}
 
-bool is_allowed(const MeasuredRibbon& measured, std::size_t i, std::size_t j,
-                const ChordOptions& options) {
-    const Flow& flow = measured.ribbon.flows[i];
-    const Limits limits = limits_for(flow, options);
-    const double turn = measured.turn[j - 1] - measured.turn[i];
-    const double run = measured.at[j] - measured.at[i];
-    const bool tight = turn * options.tight_radius > run;
-    if (turn > (tight ? std::max(limits.turn, options.tight_turn) : limits.turn)) return false;
-    const Vec2 a = measured.ribbon.points[i], along = measured.ribbon.points[j] - a;
-    const double far = length(along);
-    if (far < 1e-9) return false;
-    for (std::size_t k = i + 1; k < j; ++k)
-        if (std::abs(cross(along, measured.ribbon.points[k] - a)) > limits.tolerance * far)
+    // To the farthest point that it may lead to.
+    [[nodiscard]] std::size_t end() const {
+        const std::vector<Flow>& flows = measured_.ribbon.flows;
+        std::size_t end = first_ + 1;
+        while (end < flows.size() &&
+               (end < measured_.same_until[first_] || alike(flow_, flows[end])) &&
+               may_lead_to(end + 1))
+            ++end;
+        return end;
+    }
+
+  private:
+    [[nodiscard]] bool may_lead_to(std::size_t end) const {
+        const double turn = measured_.turn[end - 1] - measured_.turn[first_];
+        const double run = measured_.at[end] - measured_.at[first_];
+        const bool tight = turn * options_.tight_radius > run;
+        if (turn > (tight ? std::max(limits_.turn, options_.tight_turn) : limits_.turn))
             return false;
-    if (turn <= 0.01) return true;
-    const double curvature = turn / run;
-    const double speed = std::min(flow.speed, std::sqrt(options.acceleration / curvature));
-    const double acceleration = speed * speed * curvature;
-    if (acceleration <= options.quiet || flow.role == Role::travel) return true;
-    if (!tight && speed * turn > options.velocity_step) return false;
-    return is_quiet(speed / (far * options.frequency), acceleration, options.loudness);
-}
+        const Vec2 along = measured_.ribbon.points[end] - start_;
+        const double square = dot(along, along);
+        if (square < 1e-18 || !stays_near(end, along, square)) return false;
+        return turn <= 0.01 || is_quiet(turn, run, square, tight);
+    }
+
+    [[nodiscard]] bool stays_near(std::size_t end, Vec2 along, double square) const {
+        const Vec2* const points = measured_.ribbon.points.data();
+        const double most = limits_.tolerance * limits_.tolerance * square;
+        for (std::size_t k = first_ + 1; k < end; ++k) {
+            const double area = cross(along, points[k] - start_);
+            if (area * area > most) return false;
+        }
+        return true;
+    }
+
+    // Whether chords of that length, in a bend like this, push so far above the modes that the
+    // machine hardly answers, in steps of speed that firmware need not brake for. All in squares.
+    [[nodiscard]] bool is_quiet(double turn, double run, double square, bool tight) const {
+        const double curvature = turn / run;
+        const double speed = std::min(flow_.speed * flow_.speed, options_.acceleration / curvature);
+        const double acceleration = speed * curvature;
+        if (acceleration <= options_.quiet || flow_.role == Role::travel) return true;
+        if (!tight && speed * turn * turn > options_.velocity_step * options_.velocity_step)
+            return false;
+        const double r = speed / (square * options_.frequency * options_.frequency);
+        const double above = r - 1, share = acceleration / options_.loudness;
+        if (above <= 0) return false;
+        const double cube = above * above * above, share2 = share * share;
+        return cube * cube >= r * share2 * share2;
+    }
+
+    const MeasuredRibbon& measured_;
+    const ChordOptions& options_;
+    std::size_t first_;
+    const Flow& flow_;
+    Limits limits_;
+    Vec2 start_;
+};
 
 std::vector<std::size_t> chosen(const MeasuredRibbon& measured, const ChordOptions& options) {
     std::vector<std::size_t> kept{0};
-    const std::size_t n = measured.ribbon.points.size();
-    for (std::size_t i = 0; i + 1 < n; i = kept.back()) {
-        std::size_t j = i + 1;
-        while (j + 1 < n && alike(measured.ribbon.flows[i], measured.ribbon.flows[j]) &&
-               is_allowed(measured, i, j + 1, options))
-            ++j;
-        kept.push_back(j);
-    }
+    while (kept.back() + 1 < measured.ribbon.points.size())
+        kept.push_back(ChordFrom(measured, kept.back(), options).end());
     return kept;
 }
 
@@ -79,7 +113,7 @@ double mean_bulge(const Polyline& p, std::size_t i, std::size_t j) {
 
 Vec2 shifted(const Polyline& p, std::size_t before, std::size_t here, std::size_t after) {
     const Vec2 in = p[here] - p[before], out = p[after] - p[here];
-    if (std::atan2(std::abs(cross(in, out)), dot(in, out)) > least_corner) return p[here];
+    if (std::abs(cross(in, out)) > std::tan(least_corner) * dot(in, out)) return p[here];
     const double bulge = (mean_bulge(p, before, here) + mean_bulge(p, here, after)) / 2;
     const Vec2 along = in / length(in) + out / length(out);
     return p[here] + bulge * left_of(along / length(along));
@@ -88,8 +122,16 @@ Vec2 shifted(const Polyline& p, std::size_t before, std::size_t here, std::size_
 }  // namespace
 
 MeasuredRibbon measured(Ribbon ribbon) {
-    MeasuredRibbon result{std::move(ribbon), {0}, {0}};
+    MeasuredRibbon result{std::move(ribbon), {0}, {0}, {}};
     const Polyline& p = result.ribbon.points;
+    result.at.reserve(p.size());
+    result.turn.reserve(p.size());
+    const std::vector<Flow>& flows = result.ribbon.flows;
+    result.same_until.resize(flows.size());
+    for (std::size_t i = flows.size(); i-- > 0;) {
+        const bool on = i + 1 < flows.size() && flows[i] == flows[i + 1];
+        result.same_until[i] = on ? result.same_until[i + 1] : static_cast<std::uint32_t>(i + 1);
+    }
     for (std::size_t i = 1; i < p.size(); ++i) {
         result.at.push_back(result.at.back() + distance(p[i - 1], p[i]));
         result.turn.push_back(result.turn.back() + (i + 1 < p.size() ? turn_at(p, i) : 0));
@@ -99,7 +141,10 @@ MeasuredRibbon measured(Ribbon ribbon) {
 
 std::size_t chord_count(const MeasuredRibbon& measured, const ChordOptions& options) {
     if (measured.ribbon.points.size() < 3) return measured.ribbon.flows.size();
-    return chosen(measured, options).size() - 1;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i + 1 < measured.ribbon.points.size(); ++count)
+        i = ChordFrom(measured, i, options).end();
+    return count;
 }
 
 Ribbon chorded(const MeasuredRibbon& measured, const ChordOptions& options) {

@@ -7,6 +7,8 @@
 // Each chord's ends are shifted by what the curve lies beside its two chords on average, so that
 // chords cut off as much as they add and areas stay.
 #pragma once
+#include <cstdint>
+
 #include "smooth/ring.h"
 
 namespace bead {
@@ -26,8 +28,9 @@ struct ChordOptions {
 // A ribbon with what is asked of it again for every set of options.
 struct MeasuredRibbon {
     Ribbon ribbon;
-    std::vector<double> at;    // mm along, of every point
-    std::vector<double> turn;  // rad, of all turns up to every point
+    std::vector<double> at;                 // mm along, of every point
+    std::vector<double> turn;               // rad, of all turns up to every point
+    std::vector<std::uint32_t> same_until;  // of every segment: behind those of its very flow
 };
 MeasuredRibbon measured(Ribbon ribbon);
 

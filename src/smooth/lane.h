@@ -11,6 +11,7 @@ struct Flow {
     double speed = 0;    // mm/s
     Role role = Role::other;
     int ramp = 0;  // above 0: on the way from one section to another, at that step of it
+    bool operator==(const Flow&) const = default;
 };
 
 // Whether one chord may lie over both.

@@ -86,14 +86,22 @@ std::vector<Emitted> emitted(const std::vector<Laid>& strokes, const SmoothOptio
     return result;
 }
 
-std::size_t count_of(const std::vector<Laid>& strokes, const SmoothOptions& options,
-                     const Rung& rung, double loudness) {
-    const ChordOptions chords = chord_options(options, rung, loudness);
-    std::size_t count = 1;
-    for (const Laid& laid : strokes)
-        count += chord_count(laid.travel, chords) +
-                 chord_count(rung.wall_blends ? laid.smooth : laid.plain, chords);
+// Travel does not heed what the rungs and the loudness are about.
+std::size_t travel_count(const std::vector<Laid>& strokes, const SmoothOptions& options) {
+    const ChordOptions chords = chord_options(options, rungs[0], loudest);
+    std::size_t count = 0;
+    for (const Laid& laid : strokes) count += chord_count(laid.travel, chords);
     return count;
+}
+
+bool fits_into(double most, const std::vector<Laid>& strokes, const ChordOptions& chords,
+               bool wall_blends) {
+    std::size_t count = 1;
+    for (const Laid& laid : strokes) {
+        count += chord_count(wall_blends ? laid.smooth : laid.plain, chords);
+        if (static_cast<double>(count) > most) return false;
+    }
+    return true;
 }
 
 std::size_t points_of(const Toolpath& layer) {
@@ -105,10 +113,11 @@ std::size_t points_of(const Toolpath& layer) {
 // As quiet as the budget allows, by bisection; coarser where even the loudest has too many points.
 std::vector<Emitted> within_budget(const std::vector<Laid>& strokes, const SmoothOptions& options,
                                    std::size_t given) {
-    const double most = options.point_budget * static_cast<double>(given);
+    const double most = options.point_budget * static_cast<double>(given) -
+                        static_cast<double>(travel_count(strokes, options));
     const auto fits = [&](const Rung& rung, double loudness) {
         return !options.stages.chords ||
-               static_cast<double>(count_of(strokes, options, rung, loudness)) <= most;
+               fits_into(most, strokes, chord_options(options, rung, loudness), rung.wall_blends);
     };
     if (fits(rungs[0], quietest)) return emitted(strokes, options, rungs[0], quietest);
     std::size_t rung = 0;
