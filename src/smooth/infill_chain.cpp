@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <optional>
 
-#include "smooth/layer_line.h"
 #include "smooth/link.h"
+#include "smooth/neighbourhood.h"
 
 namespace bead {
 namespace {
 
-constexpr double least_agreement = 0.7;    // cosine between neighbours where a link joins them
+constexpr double least_agreement = 0.7;     // cosine between neighbours where a link joins them
 constexpr double farthest_neighbour = 1.3;  // spacings
-constexpr double thinned = 0.5;            // mm: loops are looked for along points that far apart
-constexpr std::size_t least_seams = 4;     // that a chain keeps
+constexpr std::size_t least_seams = 4;      // that a chain keeps
 
 double gap_of(const Ring& ring, double most) { return std::min(most, 0.08 * ring.length); }
 
@@ -32,7 +31,7 @@ class ChainBuilder {
           surroundings_(surroundings),
           options_(options),
           link_(std::min(6.0, 1.3 * surroundings.spacing)),
-          neighbours_(neighbours(rings_, farthest_neighbour * surroundings.spacing + thinned)),
+          neighbours_(neighbours(rings_, std::max(0.1, farthest_neighbour * surroundings.spacing))),
           used_(rings_.size(), false) {
         backward_.reserve(rings_.size());
         for (const InfillRing& ring : rings_) backward_.push_back(reversed(ring.ring));
@@ -46,15 +45,11 @@ class ChainBuilder {
     }
 
   private:
-    static SegmentGrid neighbours(const std::vector<InfillRing>& rings, double reach) {
-        std::vector<Polyline> loops;
+    static Neighbourhood neighbours(const std::vector<InfillRing>& rings, double reach) {
+        std::vector<const Polyline*> loops;
         loops.reserve(rings.size());
-        for (const InfillRing& ring : rings)
-            loops.push_back(without_short_segments(ring.ring.points, thinned));
-        std::vector<SegmentGrid::Line> lines;
-        lines.reserve(loops.size());
-        for (const Polyline& loop : loops) lines.push_back({loop, true});
-        return {lines, reach, reach / 2};
+        for (const InfillRing& ring : rings) loops.push_back(&ring.ring.points);
+        return {loops, reach};
     }
 
     Chain chain_from(std::size_t first) {
@@ -99,16 +94,15 @@ class ChainBuilder {
         };
         std::vector<Near> near;
         for (std::size_t i = 0; i < steps.size(); ++i)
-            for (const NearLine& line : neighbours_.near(steps[i].out.at))
-                if (!used_[line.line] && rings_[line.line].ring.length >= 4 * link_)
-                    near.push_back({line.line, i});
+            for (const std::uint32_t ring : neighbours_.around(steps[i].out.at))
+                if (!used_[ring] && rings_[ring].ring.length >= 4 * link_)
+                    near.push_back({ring, i});
         std::ranges::stable_sort(near, {}, &Near::ring);
         Extension best;
         for (auto it = near.begin(); it != near.end();) {
             const std::size_t ring = it->ring;
-            const auto end = std::ranges::find_if(it, near.end(), [&](const Near& other) {
-                return other.ring != ring;
-            });
+            const auto end = std::ranges::find_if(
+                it, near.end(), [&](const Near& other) { return other.ring != ring; });
             std::vector<Step> longer;
             for (; it != end; ++it) {
                 const auto left = static_cast<std::size_t>(end - it);
@@ -189,7 +183,7 @@ class ChainBuilder {
     const InfillSurroundings& surroundings_;
     const ChainOptions& options_;
     double link_;  // mm
-    SegmentGrid neighbours_;
+    Neighbourhood neighbours_;
     std::vector<bool> used_;
 };
 

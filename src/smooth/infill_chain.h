@@ -1,5 +1,5 @@
-// Loops of infill wound into strokes: each loop ends some mm before it closes and leads obliquely on
-// to the next, as far as such a link keeps clear of everything else that the layer deposits.
+// Loops of infill wound into strokes: each loop ends some mm before it closes and leads obliquely
+// on to the next, as far as such a link keeps clear of everything else that the layer deposits.
 //
 // All seams of the first loop, in both directions, are followed at once from loop to loop; the next
 // is the one that most of them can be led on to, and those that cannot are dropped.

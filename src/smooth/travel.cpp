@@ -8,6 +8,7 @@ namespace {
 
 constexpr double stop_cost = 4;         // radii of travel that the two stops are worth
 constexpr double sample_chord = 0.001;  // mm
+constexpr double hair = 1e-6;           // mm
 
 bool in_line(Vec2 a, Vec2 b) {
     constexpr double gentle = 0.98;  // cosine
@@ -30,6 +31,13 @@ double turned_left(Vec2 from, Vec2 to) {
     return angle < -1e-9 ? angle + 2 * pi : std::max(angle, 0.0);
 }
 
+// No more than turned_left of unit vectors, without an angle taken.
+double least_turned_left(Vec2 from, Vec2 to) {
+    constexpr double least = 1.37;  // of angle / (1 - cosine) up to half a turn
+    const double ahead = dot(from, to);
+    return cross(from, to) > -1e-8 ? least * (1 - ahead) : pi + least * (1 + ahead);
+}
+
 // Both circles on the sides `a` and `b` (1: left); as `dubins`, without the path itself.
 double word_length(const StrokeEnd& from, const StrokeEnd& to, double radius, double a, double b,
                    double most) {
@@ -42,9 +50,12 @@ double word_length(const StrokeEnd& from, const StrokeEnd& to, double radius, do
     if (straight >= most) return straight;
     Vec2 along = from.along;
     if (apart > 1e-18) along = rotated(way, Vec2{straight, a * across}) / apart;
-    const double first = a > 0 ? turned_left(from.along, along) : turned_left(along, from.along);
-    const double last = b > 0 ? turned_left(along, to.along) : turned_left(to.along, along);
-    return straight + radius * (first + last);
+    const Vec2 in0 = a > 0 ? from.along : along, in1 = a > 0 ? along : from.along;
+    const Vec2 out0 = b > 0 ? along : to.along, out1 = b > 0 ? to.along : along;
+    const double bound =
+        straight + radius * (least_turned_left(in0, in1) + least_turned_left(out0, out1));
+    if (bound >= most + hair) return bound;
+    return straight + radius * (turned_left(in0, in1) + turned_left(out0, out1));
 }
 
 }  // namespace

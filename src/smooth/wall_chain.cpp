@@ -17,8 +17,9 @@ void append_fading(Ribbon& ribbon, const Ring& ring, double from, double length)
     for (int i = 1; i <= fading_parts; ++i) {
         const double t = static_cast<double>(i) / fading_parts;
         const double place = from + t * length;
-        append_point(ribbon, point_at(ring, place),
-                     mixed(flow_at(ring, place - 1e-6), none, smoothstep((i - 0.5) / fading_parts)));
+        append_point(
+            ribbon, point_at(ring, place),
+            mixed(flow_at(ring, place - 1e-6), none, smoothstep((i - 0.5) / fading_parts)));
     }
 }
 

@@ -1,7 +1,7 @@
 // Wall loops wound into one stroke: the outermost goes all the way round at full flow; over a link
 // of some mm the nozzle then shifts to the next loop while its flow comes up from 0; from there it
-// spirals on, and the last loop gets its missing mm with the flow fading. Flows add up to 1 in every
-// lane: the stroke is as long as its loops and one link, its volume theirs.
+// spirals on, and the last loop gets its missing mm with the flow fading. Flows add up to 1 in
+// every lane: the stroke is as long as its loops and one link, its volume theirs.
 #pragma once
 #include "smooth/chain.h"
 
