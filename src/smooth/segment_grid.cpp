@@ -89,26 +89,25 @@ SegmentGrid::Cells SegmentGrid::cells_around(Vec2 point, double distance) const 
 }
 
 template <class Visit>
-bool SegmentGrid::visit(const Cells& cells, Vec2 point, const Visit& visitor) const {
+bool SegmentGrid::visit(const Cells& cells, const Visit& visitor) const {
     if (cells.left > cells.right) return true;
     for (auto y = cells.bottom; y <= cells.top; ++y) {
         const auto row = static_cast<std::size_t>(y * columns_);
         const std::uint32_t last = starts_[row + static_cast<std::size_t>(cells.right) + 1];
-        for (std::uint32_t i = starts_[row + static_cast<std::size_t>(cells.left)]; i < last; ++i) {
-            const Segment& segment = segments_[numbers_[i]];
-            if (!visitor(segment.line, squared_distance(segment.a, segment.b, point))) return false;
-        }
+        for (std::uint32_t i = starts_[row + static_cast<std::size_t>(cells.left)]; i < last; ++i)
+            if (!visitor(segments_[numbers_[i]])) return false;
     }
     return true;
 }
 
 std::vector<NearLine> SegmentGrid::near(Vec2 point) const {
     std::vector<NearLine> result;
-    visit(cells_around(point, reach_), point, [&](std::size_t line, double square) {
+    visit(cells_around(point, reach_), [&](const Segment& segment) {
+        const double square = squared_distance(segment.a, segment.b, point);
         if (square > reach_ * reach_) return true;
-        const auto known = std::ranges::find(result, line, &NearLine::line);
+        const auto known = std::ranges::find(result, segment.line, &NearLine::line);
         if (known == result.end())
-            result.push_back({line, square});
+            result.push_back({segment.line, square});
         else
             known->distance = std::min(known->distance, square);
         return true;
@@ -122,8 +121,9 @@ std::vector<NearLine> SegmentGrid::near(Vec2 point) const {
 std::optional<double> SegmentGrid::nearest_other(Vec2 point, std::size_t line) const {
     double least = std::numeric_limits<double>::infinity();
     for (double half = std::min(cell_, reach_);; half = std::min(2 * half, reach_)) {
-        visit(cells_around(point, half), point, [&](std::size_t other, double square) {
-            if (other != line) least = std::min(least, square);
+        visit(cells_around(point, half), [&](const Segment& segment) {
+            if (segment.line != line)
+                least = std::min(least, squared_distance(segment.a, segment.b, point));
             return true;
         });
         if (least <= half * half) return std::sqrt(least);
@@ -132,8 +132,9 @@ std::optional<double> SegmentGrid::nearest_other(Vec2 point, std::size_t line) c
 }
 
 bool SegmentGrid::is_clear(Vec2 point, double distance, std::array<std::size_t, 2> but) const {
-    return visit(cells_around(point, distance), point, [&](std::size_t line, double square) {
-        return square >= distance * distance || line == but[0] || line == but[1];
+    return visit(cells_around(point, distance), [&](const Segment& segment) {
+        return segment.line == but[0] || segment.line == but[1] ||
+               squared_distance(segment.a, segment.b, point) >= distance * distance;
     });
 }
 

@@ -45,9 +45,9 @@ class SegmentGrid {
     [[nodiscard]] Cells cells_around(Vec2 point, double distance) const;
     void add(std::uint32_t line, Vec2 a, Vec2 b, std::vector<Entry>& entries);
     void sort(const std::vector<Entry>& entries);
-    // Until the visitor, given a line and its squared distance, returns false. In any order.
+    // Until the visitor, given a segment, returns false. In any order; one may come again.
     template <class Visit>
-    bool visit(const Cells& cells, Vec2 point, const Visit& visitor) const;
+    bool visit(const Cells& cells, const Visit& visitor) const;
 
     double reach_, cell_;  // mm
     Vec2 low_;
