@@ -16,7 +16,7 @@ namespace bead::cli {
 namespace {
 
 constexpr std::int64_t sample_size = 24;    // layers
-constexpr double most_sampled_time = 1200;  // s
+constexpr double most_sampled_time = 900;  // s
 
 struct Row {
     const char* label;

@@ -36,6 +36,7 @@ class ChordFrom {
           first_(first),
           flow_(measured.ribbon.flows[first]),
           limits_(limits_for(flow_, options)),
+          quieter_(1 / options.loudness),
           start_(measured.ribbon.points[first]) {}
 
     // To the farthest point that it may lead to.
@@ -58,8 +59,9 @@ class ChordFrom {
             return false;
         const Vec2 along = measured_.ribbon.points[end] - start_;
         const double square = dot(along, along);
-        if (square < 1e-18 || !stays_near(end, along, square)) return false;
-        return turn <= 0.01 || is_quiet(turn, run, square, tight);
+        if (square < 1e-18) return false;
+        if (turn > 0.01 && !is_quiet(turn, run, square, tight)) return false;
+        return stays_near(end, along, square);
     }
 
     [[nodiscard]] bool stays_near(std::size_t end, Vec2 along, double square) const {
@@ -73,19 +75,21 @@ class ChordFrom {
     }
 
     // Whether chords of that length, in a bend like this, push so far above the modes that the
-    // machine hardly answers, in steps of speed that firmware need not brake for. All in squares.
+    // machine hardly answers, in steps of speed that firmware need not brake for. All in squares:
+    // v² for r f0 l, and (r² - 1)³ / r >= share² as (v² - q)⁶ >= v² q⁵ share⁴ with q = (f0 l)².
     [[nodiscard]] bool is_quiet(double turn, double run, double square, bool tight) const {
-        const double curvature = turn / run;
-        const double speed = std::min(flow_.speed * flow_.speed, options_.acceleration / curvature);
-        const double acceleration = speed * curvature;
+        const double asked = flow_.speed * flow_.speed, most = options_.acceleration;
+        const bool slowed = asked * turn > most * run;
+        const double speed = slowed ? most * run / turn : asked;
+        const double acceleration = slowed ? most : asked * turn / run;
         if (acceleration <= options_.quiet || flow_.role == Role::travel) return true;
         if (!tight && speed * turn * turn > options_.velocity_step * options_.velocity_step)
             return false;
-        const double r = speed / (square * options_.frequency * options_.frequency);
-        const double above = r - 1, share = acceleration / options_.loudness;
+        const double q = square * options_.frequency * options_.frequency, above = speed - q;
         if (above <= 0) return false;
-        const double cube = above * above * above, share2 = share * share;
-        return cube * cube >= r * share2 * share2;
+        const double share = acceleration * quieter_, share2 = share * share, q2 = q * q;
+        const double cube = above * above * above;
+        return cube * cube >= speed * q * q2 * q2 * share2 * share2;
     }
 
     const MeasuredRibbon& measured_;
@@ -93,6 +97,7 @@ class ChordFrom {
     std::size_t first_;
     const Flow& flow_;
     Limits limits_;
+    double quieter_;  // 1 / loudness
     Vec2 start_;
 };
 

@@ -26,11 +26,11 @@ void add_lengths(PathMetrics& metrics, const LayerLine& line) {
 
 void add_turns(PathMetrics& metrics, const Polyline& points) {
     const Polyline line = without_short_segments(points, least_segment);
-    metrics.turning_points_30 = turning_points(line, 30 * degree);
-    metrics.turning_points = turning_points(line, 45 * degree);
-    metrics.turning_points_60 = turning_points(line, 60 * degree);
-    metrics.windowed_turning_points = windowed_turning_points(line, 45 * degree);
     const std::vector<double> all = turns(line);
+    metrics.turning_points_30 = sharper_than(all, 30 * degree);
+    metrics.turning_points = sharper_than(all, 45 * degree);
+    metrics.turning_points_60 = sharper_than(all, 60 * degree);
+    metrics.windowed_turning_points = windowed_turning_points(line, all, 45 * degree);
     for (const double turn : all)
         metrics.mean_turn += std::abs(turn) / static_cast<double>(all.size());
 }

@@ -43,8 +43,12 @@ TravelKind travel_kind(const Toolpath& layer) {
 struct Laid {
     std::size_t chain = 0;
     MeasuredRibbon travel;  // may be empty
-    MeasuredRibbon plain;   // as wound; only infill's corners rounded
-    MeasuredRibbon smooth;  // walls' corners rounded too
+    MeasuredRibbon smooth;  // corners rounded
+    MeasuredRibbon plain;   // as wound; none of infill, whose corners are always rounded
+
+    [[nodiscard]] const MeasuredRibbon& stroke(bool wall_blends) const {
+        return wall_blends || plain.at.empty() ? smooth : plain;
+    }
 };
 
 struct Rung {
@@ -81,8 +85,8 @@ std::vector<Emitted> emitted(const std::vector<Laid>& strokes, const SmoothOptio
     std::vector<Emitted> result;
     result.reserve(strokes.size());
     for (const Laid& laid : strokes)
-        result.push_back({chorded(laid.travel, chords),
-                          chorded(rung.wall_blends ? laid.smooth : laid.plain, chords)});
+        result.push_back(
+            {chorded(laid.travel, chords), chorded(laid.stroke(rung.wall_blends), chords)});
     return result;
 }
 
@@ -98,7 +102,7 @@ bool fits_into(double most, const std::vector<Laid>& strokes, const ChordOptions
                bool wall_blends) {
     std::size_t count = 1;
     for (const Laid& laid : strokes) {
-        count += chord_count(wall_blends ? laid.smooth : laid.plain, chords);
+        count += chord_count(laid.stroke(wall_blends), chords);
         if (static_cast<double>(count) > most) return false;
     }
     return true;
@@ -227,18 +231,18 @@ class Smoothing {
     }
 
     void round(Laid& laid, Ribbon plain) {
-        laid.plain = measured(std::move(plain));
-        laid.smooth = laid.plain;
-        if (!options_.stages.blends || !lanes_[chains_[laid.chain].lanes[0]].level) return;
+        if (!options_.stages.blends || !lanes_[chains_[laid.chain].lanes[0]].level) {
+            laid.smooth = measured(std::move(plain));
+            return;
+        }
         CornerTolerances tolerances{chords_leave * options_.tolerances.outer_wall,
                                     chords_leave * options_.tolerances.wall,
                                     options_.tolerances.infill, true};
         tolerances.sharpest = options_.acceleration / (least_speed * least_speed);
-        RoundedRibbon round = rounded(laid.plain.ribbon, tolerances);
+        RoundedRibbon round = rounded(plain, tolerances);
         laid.smooth = measured(std::move(round.ribbon));
         blends_ += round.blends;
-        const bool infill = laid.plain.ribbon.flows.front().role == Role::infill;
-        if (infill) laid.plain = laid.smooth;
+        if (plain.flows.front().role != Role::infill) laid.plain = measured(std::move(plain));
     }
 
     void append(Toolpath& path, const Laid& laid, const Emitted& chords) const {

@@ -20,6 +20,7 @@ double largest_change(const std::vector<double>& turns, const std::vector<double
 
 std::vector<double> turns(const Polyline& line) {
     std::vector<double> result;
+    result.reserve(line.size());
     for (std::size_t i = 2; i < line.size(); ++i) {
         const Vec2 before = line[i - 1] - line[i - 2], after = line[i] - line[i - 1];
         result.push_back(std::atan2(cross(before, after), dot(before, after)));
@@ -27,26 +28,32 @@ std::vector<double> turns(const Polyline& line) {
     return result;
 }
 
-int turning_points(const Polyline& line, double limit) {
-    const std::vector<double> all = turns(line);
+int sharper_than(const std::vector<double>& turns, double limit) {
     return static_cast<int>(
-        std::ranges::count_if(all, [&](double turn) { return std::abs(turn) > limit; }));
+        std::ranges::count_if(turns, [&](double turn) { return std::abs(turn) > limit; }));
 }
 
-int windowed_turning_points(const Polyline& line, double limit, double window) {
-    const std::vector<double> all = turns(line);
+int turning_points(const Polyline& line, double limit) { return sharper_than(turns(line), limit); }
+
+int windowed_turning_points(const Polyline& line, const std::vector<double>& turns, double limit,
+                            double window) {
     std::vector<double> places;
+    places.reserve(turns.size());
     double place = 0;
-    for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t i = 0; i < turns.size(); ++i)
         places.push_back(place += distance(line[i], line[i + 1]));
     int count = 0;
     double last = -2 * window;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (largest_change(all, places, i, window) <= limit) continue;
+    for (std::size_t i = 0; i < turns.size(); ++i) {
+        if (largest_change(turns, places, i, window) <= limit) continue;
         if (places[i] - last >= window) ++count;
         last = places[i];
     }
     return count;
+}
+
+int windowed_turning_points(const Polyline& line, double limit, double window) {
+    return windowed_turning_points(line, turns(line), limit, window);
 }
 
 }  // namespace bead

@@ -13,8 +13,12 @@ namespace bead {
 // points in a row may be one place.
 std::vector<double> turns(const Polyline& line);
 
+// How many of them are larger.
+int sharper_than(const std::vector<double>& turns, double limit);
 int turning_points(const Polyline& line, double limit);
 
+int windowed_turning_points(const Polyline& line, const std::vector<double>& turns, double limit,
+                            double window = 1);
 int windowed_turning_points(const Polyline& line, double limit, double window = 1);
 
 }  // namespace bead
