@@ -187,7 +187,10 @@ void declare_smooth(CLI::App& command, Options& options) {
                        "mm that outer walls may leave their corners by (default 0.05)");
     command.add_option("--tolerance", options.wall, "likewise of other walls (default 0.1)");
     command.add_option("--infill-tolerance", options.infill, "likewise of infill (default 1)");
-    command.add_option("--travel-tolerance", options.travel, "likewise of travel (default 2)");
+    command.add_option(
+        "--travel-tolerance", options.travel,
+        "mm that travel may turn off its straight way where it meets a bead at right "
+        "angles: the radius of its turns (default 2)");
     command.add_option("--modes", options.modes, "first modes of X and Y, Hz; else the printer's")
         ->delimiter(',')
         ->type_name("14,22");

@@ -196,7 +196,7 @@ class Smoothing {
   private:
     std::vector<OrderedStroke> order(const std::vector<int>& phases) const {
         OrderOptions order;
-        order.radius = options_.turn_radius;
+        order.radius = options_.tolerances.travel;
         order.effort = 30'000 + 30 * points_of(layer_);
         if (options_.stages.order) return ordered(chains_, phases, start_, order);
         std::vector<OrderedStroke> result;
@@ -208,8 +208,9 @@ class Smoothing {
         if (distance(from.at, to.at) <= same_place) return {};
         Ribbon travel;
         const Flow flow{0, kind_.speed, Role::travel, 0};
-        const TravelLine line = options_.stages.order ? travel_line(from, to, options_.turn_radius)
-                                                      : TravelLine{{from.at, to.at}, true};
+        const TravelLine line = options_.stages.order
+                                    ? travel_line(from, to, options_.tolerances.travel)
+                                    : TravelLine{{from.at, to.at}, true};
         for (const Vec2 point : line.points) append_point(travel, point, flow);
         return travel;
     }

@@ -15,8 +15,10 @@
 
 namespace bead {
 
-struct SmoothTolerances {  // mm, between a corner and what rounds it
-    double outer_wall = 0.05, wall = 0.10, infill = 1.0, travel = 2.0;
+struct SmoothTolerances {                                 // mm
+    double outer_wall = 0.05, wall = 0.10, infill = 1.0;  // between a corner and what rounds it
+    // The radius of travel's turns at its ends: at right angles it leaves the straight way by that.
+    double travel = 2.0;
 };
 
 struct SmoothStages {
@@ -30,7 +32,6 @@ struct SmoothOptions {
     std::array<double, 2> modes{14, 22};  // Hz, of X and Y
     double acceleration = 1000;           // mm/s², across a bend
     double point_budget = 1.2;            // the layer's points may grow by this factor
-    double turn_radius = 2;               // mm, of travel
     double link = 3;                      // mm, from one nested loop to the next
     Vec2 start{};                         // where the nozzle is before the layer
 };

@@ -102,6 +102,20 @@ RC_GTEST_PROP(Smooth, KeepsOuterWallsWithinTolerance, ()) {
         }
 }
 
+// Turns of that radius, on either side of either end, and straight between them; in chords within
+// 0.1.
+RC_GTEST_PROP(Smooth, TravelTurnsWithinItsTolerance, ()) {
+    SmoothOptions options;
+    options.tolerances.travel = number_between(0.1, 5);
+    for (const Path& path : smoothed(any_layer(), options).path) {
+        if (path.role != Role::travel) continue;
+        const Vec2 from = flat(path.points.front()), to = flat(path.points.back());
+        for (const Vec3& point : path.points)
+            RC_ASSERT(segment_distance(from, to, flat(point)) <=
+                      2 * options.tolerances.travel + 0.2);
+    }
+}
+
 TEST(Smooth, WindsAPlatesLoops) {
     const Toolpath before = plate();
     const SmoothedLayer after = smoothed(before);
