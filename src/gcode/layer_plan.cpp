@@ -150,7 +150,6 @@ class LayerPlanner::Reading {
         style_.by_firmware = true;
         style_.retract_length = 1;
         planner_.pulled_back_ = text.find("10") != std::string_view::npos ? 1 : 0;
-        travelled_ = 0;
         waiting_ = planner_.pulled_back_ > 0;
     }
 
@@ -213,13 +212,10 @@ class LayerPlanner::Reading {
     void note_retraction(const FileMove& move) {
         style_.retract_length = std::max(-move.filament, planner_.pulled_back_ - move.filament);
         style_.retract_speed = move.feed;
-        travelled_ = 0;
         waiting_ = true;
     }
     void note_return(const FileMove& move) {
         style_.return_speed = move.feed;
-        if (waiting_ && travelled_ > 0)
-            style_.shortest = std::min(style_.shortest, std::max(0.5, travelled_));
         waiting_ = false;
     }
     void note_lift(const FileMove& move, const Position& from, bool inside) {
@@ -230,7 +226,6 @@ class LayerPlanner::Reading {
     }
 
     void travel(Vec3 a, Vec3 b, const FileMove& move) {
-        travelled_ += length(b - a);
         const bool retracted = planner_.pulled_back_ > 0;
         if (open_.points.empty() || open_.role != Role::travel || open_.speed != move.feed ||
             open_.retracted != retracted) {
@@ -329,7 +324,6 @@ class LayerPlanner::Reading {
     Role counted_role_ = Role::travel;
     std::size_t count_ = 0;
     PerRole<std::size_t> most_{};
-    double travelled_ = 0;  // mm since the filament was pulled back
     bool waiting_ = false;
     Path open_;
     Bead bead_;

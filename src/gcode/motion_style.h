@@ -15,7 +15,6 @@ struct MotionStyle {
     double retract_length = 0;                     // mm; 0: it never does
     double retract_speed = 35, return_speed = 35;  // mm/s
     double lift = 0, z_speed = 12;                 // mm, mm/s
-    double shortest = 2;  // mm of travel; from here on the filament is pulled back
     // Comments, each a line with its end; empty where the file has none.
     PerRole<std::string> role_lines{};
     std::string width_tag, height_tag;       // ";WIDTH:"

@@ -19,15 +19,6 @@ Vec2 rounded(Vec2 place) {
 }
 Vec2 flat(const Position& at) { return {at[axis_x], at[axis_y]}; }
 
-double length_of(const Path& path, Vec2 from) {
-    double sum = 0;
-    for (const Vec3& point : path.points) {
-        sum += distance(from, bead::flat(point));
-        from = bead::flat(point);
-    }
-    return sum;
-}
-
 }  // namespace
 
 MotionText::MotionText(const MotionStyle& style, const MotionState& state)
@@ -93,8 +84,7 @@ void MotionText::pull_back(double to, double speed) {
 }
 
 void MotionText::travel(const Path& path) {
-    const double way = length_of(path, flat(state_.at));
-    const bool pulls = style_.retract_length > 0 && (path.retracted || way >= style_.shortest);
+    const bool pulls = style_.retract_length > 0 && path.retracted;
     if (pulls && state_.pulled_back < style_.retract_length) {
         pull_back(style_.retract_length, style_.retract_speed);
         if (style_.lift > 0) raise(z_ + style_.lift);

@@ -28,6 +28,11 @@ Box2 box_of(const std::vector<SegmentGrid::Line>& lines) {
     return box;
 }
 
+bool cross_each_other(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+    const auto side = [](Vec2 from, Vec2 to, Vec2 p) { return cross(to - from, p - from); };
+    return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+}
+
 }  // namespace
 
 SegmentGrid::SegmentGrid(const std::vector<Line>& lines, double reach, double cell)
@@ -136,6 +141,18 @@ bool SegmentGrid::is_clear(Vec2 point, double distance, std::array<std::size_t, 
         return segment.line == but[0] || segment.line == but[1] ||
                squared_distance(segment.a, segment.b, point) >= distance * distance;
     });
+}
+
+// In steps of a cell, each with what is around its middle.
+bool SegmentGrid::is_crossed(Vec2 a, Vec2 b) const {
+    const auto parts = static_cast<int>(distance(a, b) / cell_) + 1;
+    const double half = distance(a, b) / parts / 2;
+    for (int i = 0; i < parts; ++i)
+        if (!visit(cells_around(lerp(a, b, (i + 0.5) / parts), half), [&](const Segment& segment) {
+                return !cross_each_other(a, b, segment.a, segment.b);
+            }))
+            return true;
+    return false;
 }
 
 }  // namespace bead

@@ -30,6 +30,8 @@ class SegmentGrid {
     [[nodiscard]] std::optional<double> nearest_other(Vec2 point, std::size_t line) const;
     // Whether all lines but two keep at least this distance, which is within reach.
     [[nodiscard]] bool is_clear(Vec2 point, double distance, std::array<std::size_t, 2> but) const;
+    // Whether any line crosses the segment.
+    [[nodiscard]] bool is_crossed(Vec2 a, Vec2 b) const;
 
   private:
     struct Segment {

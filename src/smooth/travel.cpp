@@ -6,7 +6,7 @@
 namespace bead {
 namespace {
 
-constexpr double stop_cost = 4;         // radii of travel that the two stops are worth
+constexpr double stop_cost = 1.5;       // radii of travel that the two stops are worth
 constexpr double sample_chord = 0.001;  // mm
 constexpr double hair = 1e-6;           // mm
 

@@ -1,0 +1,102 @@
+#include "smooth/chord_budget.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace bead {
+namespace {
+
+struct Rung {
+    double wall = 0.025;  // mm, chord from curve
+    bool wall_blends = true;
+    double frequency = 1;  // of the highest mode: how much of it is heeded
+    bool fine_travel = true;
+};
+// From fine to coarse; the first with which the budget can be kept is taken.
+constexpr std::array rungs{Rung{0.025, true, 1},        Rung{0.033, true, 1},
+                           Rung{0.033, true, 0.8},      Rung{0.033, false, 0.65},
+                           Rung{0.045, false, 0.5},     Rung{0.045, false, 0.5, false},
+                           Rung{0.045, false, 0, false}};
+constexpr double quietest = 20, loudest = 1000;  // mm/s²
+
+ChordOptions chord_options(const SmoothOptions& options, const Rung& rung, double loudness) {
+    ChordOptions chords;
+    chords.wall = rung.wall;
+    chords.infill = std::max(0.06, 2.5 * rung.wall);
+    chords.frequency = rung.frequency * std::max(options.modes[0], options.modes[1]);
+    chords.loudness = loudness;
+    chords.acceleration = options.acceleration;
+    if (!rung.fine_travel) {
+        chords.travel = 0.4;
+        chords.travel_turn = 50 * pi / 180;
+    }
+    if (options.stages.chords) return chords;
+    chords.wall = chords.infill = chords.travel = 0.01;
+    chords.quiet = std::numeric_limits<double>::infinity();
+    return chords;
+}
+
+class Budget {
+  public:
+    Budget(const std::vector<LaidStroke>& strokes, const SmoothOptions& options, double most)
+        : strokes_(strokes), options_(options), most_(most) {}
+
+    [[nodiscard]] std::vector<ChordedStroke> chorded_strokes() {
+        if (!options_.stages.chords || fits(rungs[0], quietest)) return made(rungs[0], quietest);
+        std::size_t rung = 0;
+        while (rung + 1 < rungs.size() && !fits(rungs[rung], loudest)) ++rung;
+        double low = quietest, high = loudest;
+        for (int halving = 0; halving < 6; ++halving) {
+            const double middle = std::sqrt(low * high);
+            (fits(rungs[rung], middle) ? high : low) = middle;
+        }
+        return made(rungs[rung], high);
+    }
+
+  private:
+    [[nodiscard]] bool fits(const Rung& rung, double loudness) {
+        const ChordOptions chords = chord_options(options_, rung, loudness);
+        std::size_t count = 1 + travel_points(rung.fine_travel);
+        for (const LaidStroke& laid : strokes_) {
+            count += chord_count(laid.stroke(rung.wall_blends), chords);
+            if (static_cast<double>(count) > most_) return false;
+        }
+        return true;
+    }
+
+    // Travel does not heed anything else that the rungs and the loudness are about.
+    std::size_t travel_points(bool fine) {
+        std::size_t& count = travel_[fine ? 1 : 0];
+        if (count > 0) return count;
+        const ChordOptions chords =
+            chord_options(options_, fine ? rungs.front() : rungs.back(), loudest);
+        for (const LaidStroke& laid : strokes_) count += chord_count(laid.travel, chords);
+        return count;
+    }
+
+    [[nodiscard]] std::vector<ChordedStroke> made(const Rung& rung, double loudness) const {
+        const ChordOptions chords = chord_options(options_, rung, loudness);
+        std::vector<ChordedStroke> result;
+        result.reserve(strokes_.size());
+        for (const LaidStroke& laid : strokes_)
+            result.push_back(
+                {chorded(laid.travel, chords), chorded(laid.stroke(rung.wall_blends), chords)});
+        return result;
+    }
+
+    const std::vector<LaidStroke>& strokes_;
+    const SmoothOptions& options_;
+    double most_;
+    std::array<std::size_t, 2> travel_{};
+};
+
+}  // namespace
+
+// As quiet as the budget allows, by bisection; coarser where even the loudest has too many points.
+std::vector<ChordedStroke> within_budget(const std::vector<LaidStroke>& strokes,
+                                         const SmoothOptions& options, double most) {
+    return Budget(strokes, options, most).chorded_strokes();
+}
+
+}  // namespace bead

@@ -1,0 +1,28 @@
+// Strokes and the travel between them in chords: as fine and as quiet as a number of points allows.
+#pragma once
+#include "smooth/chords.h"
+#include "smooth/smooth.h"
+
+namespace bead {
+
+// A stroke with the travel that leads to it, dense.
+struct LaidStroke {
+    std::size_t chain = 0;
+    MeasuredRibbon travel;  // may be empty
+    MeasuredRibbon smooth;  // corners rounded
+    MeasuredRibbon plain;   // as wound; none of infill, whose corners are always rounded
+
+    [[nodiscard]] const MeasuredRibbon& stroke(bool wall_blends) const {
+        return wall_blends || plain.at.empty() ? smooth : plain;
+    }
+};
+
+struct ChordedStroke {
+    Ribbon travel, stroke;
+};
+
+// `most`: points of all of them. Where even the coarsest chords have more, the coarsest.
+std::vector<ChordedStroke> within_budget(const std::vector<LaidStroke>& strokes,
+                                         const SmoothOptions& options, double most);
+
+}  // namespace bead

@@ -1,0 +1,27 @@
+// What a layer's travel is like, for that which takes its place: how fast it is, and when filament
+// is pulled back for it. Slicers that do so for some short travel but not for longer ones look at
+// the walls: they let it ooze where nobody will see.
+#pragma once
+#include "smooth/segment_grid.h"
+#include "toolpath/path.h"
+
+namespace bead {
+
+class TravelKind {
+  public:
+    explicit TravelKind(const Toolpath& layer);
+
+    // One path, level at z.
+    [[nodiscard]] Path path_along(const Polyline& points, double z) const;
+
+  private:
+    [[nodiscard]] bool is_retracted(const Polyline& points) const;
+    [[nodiscard]] bool crosses_walls(const Polyline& points) const;
+
+    double speed_ = 120, acceleration_ = 0;
+    double shortest_;       // mm, of what is retracted
+    bool by_walls_ = true;  // of those as long only what crosses a wall
+    SegmentGrid walls_;
+};
+
+}  // namespace bead
