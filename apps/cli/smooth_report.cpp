@@ -15,7 +15,7 @@
 namespace bead::cli {
 namespace {
 
-constexpr std::int64_t sample_size = 24;    // layers
+constexpr std::int64_t sample_size = 24;   // layers
 constexpr double most_sampled_time = 900;  // s
 
 struct Row {
