@@ -111,12 +111,14 @@ class Packed {
 
     // The guesses and a block of noise.
     [[nodiscard]] std::vector<double> start(const std::vector<PixelVector>& guesses) const {
-        constexpr std::size_t noisy = 4;
+        constexpr std::size_t whole = 8;  // a block of the solver
         std::vector<double> block;
         for (const PixelVector& guess : guesses)
             for (const std::size_t node : nodes())
                 block.insert(block.end(), {guess[2 * node], guess[2 * node + 1]});
-        const std::vector<double> more = noise(size() * (guesses.empty() ? noisy : noisy / 2));
+        const std::size_t rest = whole - guesses.size() % whole;
+        const std::vector<double> more =
+            guesses.empty() || rest < whole ? noise(size() * rest) : std::vector<double>{};
         block.insert(block.end(), more.begin(), more.end());
         return block;
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/expects.h"
+#include "numeric/tall_products.h"
 
 namespace bead {
 namespace {
@@ -20,36 +21,6 @@ constexpr double negligible = 1e-10;  // of a vector, what is left of it orthogo
 struct Block {
     MatrixXd x, bx;
 };
-
-// Products of a tall basis with a narrow block, a few rows at a time so that both stay in the
-// cache; a general matrix product would spend its time on packing.
-constexpr Index rows_at_a_time = 1024;
-
-template <class Work>
-void by_rows(Index rows, const Work& work) {
-    for (Index first = 0; first < rows; first += rows_at_a_time)
-        work(first, std::min(rows_at_a_time, rows - first));
-}
-
-// vᵀ x of the first `count` columns of v.
-MatrixXd inner(const MatrixXd& v, Index count, const MatrixXd& x) {
-    MatrixXd h = MatrixXd::Zero(count, x.cols());
-    by_rows(x.rows(), [&](Index first, Index rows) {
-        for (Index j = 0; j < count; ++j)
-            for (Index k = 0; k < x.cols(); ++k)
-                h(j, k) += v.col(j).segment(first, rows).dot(x.col(k).segment(first, rows));
-    });
-    return h;
-}
-
-// x -= v h.
-void reduce(MatrixXd& x, const MatrixXd& v, const MatrixXd& h) {
-    by_rows(x.rows(), [&](Index first, Index rows) {
-        for (Index j = 0; j < h.rows(); ++j)
-            for (Index k = 0; k < x.cols(); ++k)
-                x.col(k).segment(first, rows) -= h(j, k) * v.col(j).segment(first, rows);
-    });
-}
 
 class Basis {
   public:
@@ -129,9 +100,11 @@ class Basis {
         return block.x.cwiseProduct(block.bx).colwise().sum();
     }
     MatrixXd take_out(Block& block) const {
-        MatrixXd h = inner(v_, count_, block.bx);
-        reduce(block.x, v_, h);
-        reduce(block.bx, bv_, h);
+        MatrixXd h(count_, block.bx.cols());
+        const Index rows = v_.rows();
+        inner_products({v_.data(), rows, count_}, {block.bx.data(), rows, h.cols()}, h.data());
+        bead::take_out({v_.data(), rows, count_}, h.data(), block.x.data(), h.cols());
+        bead::take_out({bv_.data(), rows, count_}, h.data(), block.bx.data(), h.cols());
         return h;
     }
 

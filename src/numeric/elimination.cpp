@@ -9,7 +9,8 @@
 namespace bead {
 namespace {
 
-constexpr std::size_t leaf = 20;  // points; fewer cost more in book-keeping than they save
+constexpr std::size_t small = 200;  // points of a part that is cut in the middle without a choice
+constexpr std::size_t leaf = 20;    // points; fewer cost more in book-keeping than they save
 
 // Where a point is during the recursion: in the part being cut, on its far side, or in no part any
 // more because it is in a separator above.
@@ -73,6 +74,7 @@ std::vector<float> Dissection::candidates(const Part& part, int axis) const {
                            [&](int point) { return coordinate(point, axis); });
     std::vector<float> places;
     for (const double share : {0.5, 0.42, 0.58}) {
+        if (!places.empty() && part.points.size() < small) break;
         const auto middle = at.begin() + std::ptrdiff_t(share * double(at.size()));
         std::nth_element(at.begin(), middle, at.end());
         places.push_back(*middle);
@@ -129,8 +131,10 @@ int Dissection::dissect(Part part, std::vector<Front>& fronts) {
     Part halves[2];
     if (part.points.size() > leaf) {
         const int axis = longest_axis(part);
-        Cut best;
-        for (const float at : candidates(part, axis)) {
+        const std::vector<float> places = candidates(part, axis);
+        Cut best{axis, places.front()};
+        for (const float at : places) {
+            if (places.size() == 1) break;
             divide(part, axis, at);
             const std::size_t size = separator_size(part);
             if (size < best.separator) best = {axis, at, size};

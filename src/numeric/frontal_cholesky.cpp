@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "core/expects.h"
+#include "numeric/front_kernel.h"
+#include "numeric/panel_kernels.h"
 
 namespace bead {
 namespace {
@@ -16,18 +18,12 @@ using Eigen::VectorXd;
 // A pivot this small against what stood there first is rounding.
 constexpr double negligible = 1e-13;
 
+// The columns of L of a front's own unknowns, from its first row down.
 struct Panel {
-    MatrixXd triangle;  // lower, of the own unknowns
-    MatrixXd below;     // border by own
+    MatrixXd columns;
 
-    // One step of solving with L and with its transpose.
-    void forward(VectorXd& own, VectorXd& border) const {
-        triangle.triangularView<Eigen::Lower>().solveInPlace(own);
-        border.noalias() -= below * own;
-    }
-    void backward(VectorXd& own, const VectorXd& border) const {
-        own.noalias() -= below.transpose() * border;
-        triangle.triangularView<Eigen::Lower>().transpose().solveInPlace(own);
+    [[nodiscard]] DensePanel dense() const {
+        return {columns.data(), columns.cols(), columns.rows() - columns.cols()};
     }
 };
 
@@ -47,9 +43,6 @@ struct FrontalCholesky::Panels {
     void hold(const Front& front, MatrixXd& sum) const;
     MatrixXd eliminate(std::size_t place, MatrixXd& sum);
     void factor(const ElementMatrix& matrix);
-    [[nodiscard]] VectorXd gathered(std::span<const int> points, const VectorXd& x) const;
-    void scatter(std::span<const int> points, const VectorXd& part, VectorXd& x) const;
-    [[nodiscard]] VectorXd solved(VectorXd x) const;
 };
 
 void FrontalCholesky::Panels::assemble(const Front& front, MatrixXd& sum,
@@ -110,27 +103,17 @@ MatrixXd FrontalCholesky::Panels::eliminate(std::size_t place, MatrixXd& sum) {
     const Index rest = sum.rows() - own;
     if (own == 0) return std::move(sum);  // halves that do not touch
     const VectorXd before = sum.diagonal().head(own);
-    Eigen::Ref<MatrixXd> block = sum.topLeftCorner(own, own);
-    const Eigen::LLT<Eigen::Ref<MatrixXd>> factored(block);
+    eliminate_first(sum.data(), sum.rows(), own);
     if (!singular)
         for (Index i = 0; i < own; ++i)
-            if (factored.info() != Eigen::Success ||
-                !(sum(i, i) * sum(i, i) > negligible * before(i))) {
+            if (!(sum(i, i) * sum(i, i) > negligible * before(i))) {
                 singular = std::size_t(front.own[std::size_t(i / per_point())]) *
                                std::size_t(per_point()) +
                            std::size_t(i % per_point());
                 break;
             }
-    Panel& panel = panels[place];
-    panel.triangle = sum.topLeftCorner(own, own);
-    panel.below = sum.bottomLeftCorner(rest, own);
-    MatrixXd remainder = sum.bottomRightCorner(rest, rest);
-    if (rest > 0) {
-        panel.triangle.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(
-            panel.below);
-        remainder.selfadjointView<Eigen::Lower>().rankUpdate(panel.below, -1);
-    }
-    return remainder;
+    panels[place].columns = sum.leftCols(own);
+    return sum.bottomRightCorner(rest, rest);
 }
 
 void FrontalCholesky::Panels::factor(const ElementMatrix& matrix) {
@@ -155,50 +138,12 @@ void FrontalCholesky::Panels::factor(const ElementMatrix& matrix) {
     }
 }
 
-VectorXd FrontalCholesky::Panels::gathered(std::span<const int> points, const VectorXd& x) const {
-    const Index b = per_point();
-    VectorXd part(Index(points.size()) * b);
-    for (std::size_t p = 0; p < points.size(); ++p)
-        part.segment(Index(p) * b, b) = x.segment(points[p] * b, b);
-    return part;
-}
-
-void FrontalCholesky::Panels::scatter(std::span<const int> points, const VectorXd& part,
-                                      VectorXd& x) const {
-    const Index b = per_point();
-    for (std::size_t p = 0; p < points.size(); ++p)
-        x.segment(points[p] * b, b) = part.segment(Index(p) * b, b);
-}
-
-VectorXd FrontalCholesky::Panels::solved(VectorXd x) const {
-    for (std::size_t i = 0; i < held.size(); ++i)
-        if (held[i] != 0) x(Index(i)) = 0;
-    for (std::size_t f = 0; f < panels.size(); ++f) {
-        if (tree.fronts[f].own.empty()) continue;
-        VectorXd own = gathered(tree.fronts[f].own, x);
-        VectorXd border = gathered(tree.fronts[f].border, x);
-        panels[f].forward(own, border);
-        scatter(tree.fronts[f].own, own, x);
-        scatter(tree.fronts[f].border, border, x);
-    }
-    VectorXd result = VectorXd::Zero(x.size());
-    for (std::size_t f = panels.size(); f-- > 0;) {
-        if (tree.fronts[f].own.empty()) continue;
-        VectorXd own = gathered(tree.fronts[f].own, x);
-        panels[f].backward(own, gathered(tree.fronts[f].border, x));
-        scatter(tree.fronts[f].own, own, x);
-        scatter(tree.fronts[f].own, own, result);
-    }
-    return result;
-}
-
-// A few right sides at once, the values of an unknown side by side: each number of the factor is
+// `width` right sides at once, the values of an unknown side by side: each number of the factor is
 // read once for all of them.
-class FrontalCholesky::Wide {
+template <std::ptrdiff_t width>
+class FrontalCholesky::Sweep {
   public:
-    static constexpr Index width = 4;
-
-    explicit Wide(const Panels& panels) : panels_(panels), b_(panels.per_point()) {
+    explicit Sweep(const Panels& panels) : panels_(panels), b_(panels.per_point()) {
         std::size_t rows = 0;
         for (const Front& front : panels.tree.fronts)
             rows = std::max(rows, (front.own.size() + front.border.size()) * std::size_t(b_));
@@ -235,50 +180,32 @@ class FrontalCholesky::Wide {
             std::copy_n(from + Index(p) * block, block, &values_[std::size_t(points[p] * block)]);
     }
 
-    // rows -= column × value, all `width` at once.
-    static void subtract(double* rows, const double* column, Index count, const double* value) {
-        const double v[width] = {value[0], value[1], value[2], value[3]};
-        for (Index i = 0; i < count; ++i)
-            for (Index k = 0; k < width; ++k) rows[i * width + k] -= column[i] * v[k];
-    }
-    static void add_product(double* sum, const double* rows, const double* column, Index count) {
-        double s[width] = {0, 0, 0, 0};
-        for (Index i = 0; i < count; ++i)
-            for (Index k = 0; k < width; ++k) s[k] += column[i] * rows[i * width + k];
-        for (Index k = 0; k < width; ++k) sum[k] += s[k];
-    }
-
     void forward(std::size_t f) {
         const Front& front = panels_.tree.fronts[f];
-        const Panel& panel = panels_.panels[f];
-        const Index n = Index(front.own.size()) * b_, m = Index(front.border.size()) * b_;
-        double *const own = part_.data(), *const border = own + n * width;
+        const DensePanel panel = panels_.panels[f].dense();
+        if (panel.own == 0) return;
+        double *const own = part_.data(), *const border = own + panel.own * width;
         gather(front.own, own);
         gather(front.border, border);
-        for (Index j = 0; j < n; ++j) {
-            double* const x = own + j * width;
-            for (Index k = 0; k < width; ++k) x[k] /= panel.triangle(j, j);
-            subtract(x + width, &panel.triangle(j, j) + 1, n - j - 1, x);
-            if (m > 0) subtract(border, &panel.below(0, j), m, x);
-        }
+        if constexpr (width == 1)
+            solve_one_forward(panel, own, border);
+        else
+            solve_forward(panel, own, border);
         scatter(front.own, own);
         scatter(front.border, border);
     }
 
     void backward(std::size_t f) {
         const Front& front = panels_.tree.fronts[f];
-        const Panel& panel = panels_.panels[f];
-        const Index n = Index(front.own.size()) * b_, m = Index(front.border.size()) * b_;
-        double *const own = part_.data(), *const border = own + n * width;
+        const DensePanel panel = panels_.panels[f].dense();
+        if (panel.own == 0) return;
+        double *const own = part_.data(), *const border = own + panel.own * width;
         gather(front.own, own);
         gather(front.border, border);
-        for (Index j = n; j-- > 0;) {
-            double sum[width] = {0, 0, 0, 0};
-            if (m > 0) add_product(sum, border, &panel.below(0, j), m);
-            add_product(sum, own + (j + 1) * width, &panel.triangle(j, j) + 1, n - j - 1);
-            double* const x = own + j * width;
-            for (Index k = 0; k < width; ++k) x[k] = (x[k] - sum[k]) / panel.triangle(j, j);
-        }
+        if constexpr (width == 1)
+            solve_one_backward(panel, own, border);
+        else
+            solve_backward(panel, own, border);
         scatter(front.own, own);
     }
 
@@ -305,8 +232,7 @@ std::optional<std::size_t> FrontalCholesky::singular() const { return panels_->s
 
 std::size_t FrontalCholesky::fill() const {
     std::size_t count = 0;
-    for (const Panel& panel : panels_->panels)
-        count += std::size_t(panel.triangle.size() + panel.below.size());
+    for (const Panel& panel : panels_->panels) count += std::size_t(panel.columns.size());
     return count;
 }
 
@@ -314,15 +240,15 @@ std::vector<double> FrontalCholesky::solve(std::span<const double> right_sides, 
     BEAD_EXPECTS(!panels_->singular);
     BEAD_EXPECTS(right_sides.size() == panels_->held.size() * std::size_t(columns));
     const auto rows = Index(panels_->held.size());
-    if (columns == 1) {
-        const VectorXd x = panels_->solved(Eigen::Map<const VectorXd>(right_sides.data(), rows));
-        return {x.begin(), x.end()};
-    }
     std::vector<double> answer(right_sides.begin(), right_sides.end());
-    Wide wide(*panels_);
-    for (Index first = 0; first < columns; first += Wide::width)
-        wide.solve(&answer[std::size_t(first * rows)], rows,
-                   std::min(Wide::width, columns - first));
+    if (columns == 1) {
+        Sweep<1>(*panels_).solve(answer.data(), rows, 1);
+        return answer;
+    }
+    Sweep<panel_width> sweep(*panels_);
+    for (Index first = 0; first < columns; first += panel_width)
+        sweep.solve(&answer[std::size_t(first * rows)], rows,
+                    std::min<Index>(panel_width, columns - first));
     return answer;
 }
 

@@ -6,6 +6,7 @@
 //     const FrontalCholesky factor(elimination_tree(pattern), matrix, held);
 //     const std::vector<double> x = factor.solve(b);
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -41,7 +42,8 @@ class FrontalCholesky {
 
   private:
     struct Panels;
-    class Wide;
+    template <std::ptrdiff_t width>
+    class Sweep;
     std::unique_ptr<Panels> panels_;
 };
 

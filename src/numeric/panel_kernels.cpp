@@ -35,6 +35,16 @@ struct Row {
 }
 [[gnu::always_inline]] inline void operator-=(Row& a, const Row& b) { a = a - b; }
 
+// Four partial sums side by side.
+[[gnu::always_inline]] inline double dot_product(const double* a, const double* b, Index count) {
+    double sums[4] = {0, 0, 0, 0};
+    Index i = 0;
+    for (; i + 4 <= count; i += 4)
+        for (Index k = 0; k < 4; ++k) sums[k] += a[i + k] * b[i + k];
+    for (; i < count; ++i) sums[0] += a[i] * b[i];
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
 }  // namespace
 
 BEAD_WIDE_REGISTERS
@@ -108,6 +118,28 @@ void solve_backward(const DensePanel& panel, double* own, const double* border) 
         put(own, f + 1, y);
         put(own, f + 2, z);
         put(own, f + 3, w);
+    }
+}
+
+BEAD_WIDE_REGISTERS
+void solve_one_forward(const DensePanel& panel, double* own, double* border) {
+    const Index n = panel.own, m = panel.border;
+    for (Index j = 0; j < n; ++j) {
+        const double *const a = panel.values + j * (n + m), *const p = a + n;
+        const double x = own[j] /= a[j];
+        for (Index i = j + 1; i < n; ++i) own[i] -= a[i] * x;
+        for (Index i = 0; i < m; ++i) border[i] -= p[i] * x;
+    }
+}
+
+BEAD_WIDE_REGISTERS
+void solve_one_backward(const DensePanel& panel, double* own, const double* border) {
+    const Index n = panel.own, m = panel.border;
+    for (Index j = n; j-- > 0;) {
+        const double *const a = panel.values + j * (n + m), *const p = a + n;
+        own[j] =
+            (own[j] - dot_product(a + j + 1, own + j + 1, n - j - 1) - dot_product(p, border, m)) /
+            a[j];
     }
 }
 

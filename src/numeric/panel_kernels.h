@@ -20,5 +20,8 @@ struct DensePanel {
 void solve_forward(const DensePanel& panel, double* own, double* border);
 // own = L^-T (own - Bᵀ border).
 void solve_backward(const DensePanel& panel, double* own, const double* border);
+// The same for one right side.
+void solve_one_forward(const DensePanel& panel, double* own, double* border);
+void solve_one_backward(const DensePanel& panel, double* own, const double* border);
 
 }  // namespace bead

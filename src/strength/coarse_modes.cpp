@@ -6,11 +6,12 @@
 namespace bead {
 namespace {
 
-constexpr double coarser = 2;       // than the fine pixels
+constexpr double coarsest = 0.5;    // of the bead's width, pixels
+constexpr double least_step = 1.5;  // from pixels to coarser ones
 constexpr int count = 8;            // modes, as many as a solver takes at once
-constexpr double tolerance = 0.02;  // of the first; the others are guesses anyway
-constexpr double other_tolerance = 1;
-constexpr int most_vectors = 32;
+constexpr double tolerance = 0.01;  // of the first; the others are guesses anyway
+constexpr double other_tolerance = 4;
+constexpr int most_vectors = 64;
 
 std::vector<std::uint8_t> solid_nodes(const PixelModel& model) {
     std::vector<std::uint8_t> solid(model.grid.nodes(), 0);
@@ -48,19 +49,25 @@ PixelVector transferred(const PixelModel& coarse, std::span<const double> shape,
     return result;
 }
 
-CoarseModes::CoarseModes(std::span<const Toolpath> layers, const LoadCase& load_case,
-                         double fine_pixel)
-    : rig_(TestRig::of(layers, load_case, {.pixel = coarser * fine_pixel})) {}
+CoarseModes::CoarseModes(std::span<const Toolpath> layers, const LoadCase& load_case, double pixel)
+    : rig_(TestRig::of(layers, load_case, {.pixel = pixel})) {
+    const double coarse = coarsest * load_case.print.bead_width;
+    if (least_step * pixel <= coarse)
+        coarser_ = std::make_unique<CoarseModes>(layers, load_case, coarse);
+}
 
-std::vector<PixelVector> CoarseModes::start(std::size_t variant, const PixelGrid& grid) const {
+Buckling CoarseModes::of(std::size_t variant) const {
+    if (!rig_) return {};
+    const PixelSolver& solver = rig_->solver(variant);
+    BucklingOptions how{
+        .count = count, .tolerance = tolerance, .others = other_tolerance, .most = most_vectors};
+    if (coarser_) how.start = coarser_->start(coarser_->of(variant), rig_->model().grid);
+    return buckling(solver, solver.solve_only(rig_->load(variant)), how);
+}
+
+std::vector<PixelVector> CoarseModes::start(const Buckling& coarse, const PixelGrid& grid) const {
     std::vector<PixelVector> start;
-    if (!rig_) return start;
-    const PixelVector moved = rig_->solver(variant).solve_only(rig_->load(variant));
-    for (const BucklingMode& mode : rig_->modes(variant, moved,
-                                                {.count = count,
-                                                .tolerance = tolerance,
-                                                .others = other_tolerance,
-                                                .most = most_vectors}))
+    for (const BucklingMode& mode : coarse.modes)
         start.push_back(transferred(rig_->model(), mode.shape, grid));
     return start;
 }

@@ -1,7 +1,8 @@
-// Guesses of a printed structure's buckling modes from coarser pixels, on which finding them costs
-// a fraction: a start for the search on the fine ones, which then takes a few steps. What it finds
-// does not depend on them, only how soon.
+// A printed structure's buckling modes on coarser pixels, on which finding them costs a fraction:
+// enough where it breaks long before it buckles, and else the start of the search on the fine ones,
+// which then takes a few steps.
 #pragma once
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -14,15 +15,20 @@ namespace bead {
 PixelVector transferred(const PixelModel& coarse, std::span<const double> shape,
                         const PixelGrid& grid);
 
-// Per variant of the rig its lowest modes, as vectors over the nodes of `grid`. Empty where the
-// layers do not hold together on coarse pixels.
 class CoarseModes {
   public:
-    CoarseModes(std::span<const Toolpath> layers, const LoadCase& load_case, double fine_pixel);
-    [[nodiscard]] std::vector<PixelVector> start(std::size_t variant, const PixelGrid& grid) const;
+    CoarseModes(std::span<const Toolpath> layers, const LoadCase& load_case, double pixel);
+
+    // The lowest modes of a variant; nothing found where the layers do not hold together on coarse
+    // pixels.
+    [[nodiscard]] Buckling of(std::size_t variant) const;
+    // The same as vectors over the nodes of `grid`.
+    [[nodiscard]] std::vector<PixelVector> start(const Buckling& coarse,
+                                                 const PixelGrid& grid) const;
 
   private:
     std::optional<TestRig> rig_;
+    std::unique_ptr<CoarseModes> coarser_;  // its own start, if that saves anything
 };
 
 }  // namespace bead

@@ -5,12 +5,16 @@
 #include <limits>
 
 #include "strength/anisotropic.h"
+#include "strength/coarse_modes.h"
 #include "strength/progressive.h"
 
 namespace bead {
 namespace {
 
 constexpr double pixels_per_bead = 6;
+constexpr double coarser = 1.5;    // than the pixels, those on which buckling is tried first
+constexpr double far_above = 1.3;  // more than coarse pixels can be wrong by
+constexpr double buckling_tolerance = 0.005;  // of the load, where the next one is a tenth higher
 
 double mean_volume(std::span<const Toolpath> layers) {
     double sum = 0;
@@ -30,8 +34,23 @@ void weigh(Strength& strength, std::span<const Toolpath> layers, const LoadCase&
     strength.mass = strength.volume * load_case.material.density / 1000;
 }
 
+// On coarse pixels, and if that is not far above the factor at which it breaks, on the fine ones.
+std::optional<double> buckling_factor(const TestRig& rig, std::size_t v, const Tested& tested,
+                                      const CoarseModes& coarse, double breaks) {
+    const Buckling guess = coarse.of(v);
+    if (guess.converged && !guess.modes.empty() && guess.modes.front().factor > far_above * breaks)
+        return guess.modes.front().factor;
+    const std::vector<BucklingMode> modes =
+        rig.modes(v, tested.displacement,
+                  {.count = 1,
+                   .tolerance = buckling_tolerance,
+                   .start = coarse.start(guess, rig.model().grid)});
+    if (modes.empty()) return std::nullopt;
+    return modes.front().factor;
+}
+
 void test_variant(Strength& strength, const TestRig& rig, std::size_t v,
-                  const StrengthOptions& options) {
+                  const StrengthOptions& options, const std::optional<CoarseModes>& coarse) {
     const double force = total_force(rig.variants()[v].loads);
     const Tested tested = rig.tested(v);
     const double failure = tested.factor() * force;
@@ -40,13 +59,13 @@ void test_variant(Strength& strength, const TestRig& rig, std::size_t v,
         strength.failure_load = failure;
         strength.weakest = rig.model().grid.centre(tested.weakest);
     }
-    if (options.buckling) {
-        const std::vector<BucklingMode> modes = rig.modes(v, tested.displacement, {.count = 1});
-        if (!modes.empty() && modes.front().factor * force < strength.buckling_load) {
-            strength.buckling_load = modes.front().factor * force;
-            strength.buckling_factor = modes.front().factor;
+    if (coarse)
+        if (const std::optional<double> factor =
+                buckling_factor(rig, v, tested, *coarse, strength.failure_load / force);
+            factor && *factor * force < strength.buckling_load) {
+            strength.buckling_load = *factor * force;
+            strength.buckling_factor = *factor;
         }
-    }
     if (options.progressive)
         strength.peak_load =
             std::min(strength.peak_load.value_or(std::numeric_limits<double>::infinity()),
@@ -72,8 +91,10 @@ Strength strength_of(std::span<const Toolpath> layers, const LoadCase& load_case
     strength.covered = covered_area(rig->model());
     constexpr double endless = std::numeric_limits<double>::infinity();
     strength.stiffness = strength.failure_load = strength.buckling_load = endless;
+    std::optional<CoarseModes> coarse;
+    if (options.buckling) coarse.emplace(layers, load_case, coarser * pixel);
     for (std::size_t v = 0; v < rig->variants().size(); ++v)
-        test_variant(strength, *rig, v, options);
+        test_variant(strength, *rig, v, options, coarse);
     if (strength.buckling_load == endless) strength.buckling_load = strength.buckling_factor = 0;
     if (options.anisotropic)
         strength.anisotropic_load = anisotropic_failure_load(layers, load_case, *rig);

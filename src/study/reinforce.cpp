@@ -18,7 +18,7 @@ constexpr double soft_reserve = 0.06, stiff_reserve = 0.03;
 constexpr double stiff_from = 100;     // Young's modulus over strength
 constexpr double thinnest_web = 0.06;  // of the area, lines that there must be room for
 constexpr double pixels_per_bead = 4;
-constexpr double coarse_pixels = 3;  // per bead, to see which slicer patterns are worth a test
+constexpr double coarse_pixels = 2;  // per bead, to see which slicer patterns are worth a test
 
 double reserve(const SolidMaterial& material) {
     return material.young / material.tensile < stiff_from ? soft_reserve : stiff_reserve;
@@ -65,7 +65,7 @@ double promise(const LoadCase& load_case, const Layout& layout) {
 
 // Patterns that might be better than `bar` (N/g) when tested finely.
 std::vector<Candidate> challengers(const LoadCase& load_case, double bar, int threads) {
-    constexpr double unsure = 0.9;
+    constexpr double unsure = 0.8;
     const std::vector<SlicerSetting> settings = slicer_settings(1);
     std::vector<std::optional<Candidate>> found(settings.size());
     parallel_for(settings.size(), threads, [&](std::size_t i) {

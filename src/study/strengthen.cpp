@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "strength/coarse_modes.h"
 #include "study/braces.h"
 #include "study/patches.h"
 
@@ -14,9 +15,11 @@ namespace {
 constexpr int most_steps = 60;
 constexpr double worse = 0.985;          // of the failure factor, below which a patch is taken back
 constexpr double fruitful = 1.003;       // of it, that a patch step shall reach
+constexpr int unneeded = 2;              // times as many braces where they only fill up
 constexpr int patience = 2;              // fruitless patch steps in a row
-constexpr double mode_tolerance = 0.01;  // of the lowest factor, on the way
-constexpr double other_tolerance = 0.2;  // of those above it
+constexpr double mode_tolerance = 0.02;  // of the lowest factor, on the way
+constexpr double other_tolerance = 0.5;  // of those above it
+constexpr int most_vectors = 48;         // in which modes are sought, on the way
 constexpr double overdraw = 0.004;       // of the area, that patches may exceed it by
 
 // A layout under test: all variants.
@@ -59,7 +62,7 @@ class Loop {
             const bool breaks_first = buckling_ >= options_.margin * trial_->failure;
             if (breaks_first && fruitless_ < patience)
                 patch();
-            else if (!brace())
+            else if (!brace(breaks_first ? unneeded : 1))
                 break;
         }
         return std::move(result_);
@@ -75,13 +78,22 @@ class Loop {
         for (std::size_t v = 0; v < trial_->tested.size(); ++v) {
             BucklingOptions how{
                 .count = options_.modes, .tolerance = mode_tolerance, .others = other_tolerance};
+            how.most = most_vectors;
             if (!before.empty())
                 for (const BucklingMode& mode : before[v].modes) how.start.push_back(mode.shape);
+            else
+                how.start = coarse_start(v);
             modes_.push_back({v, trial_->rig.modes(v, trial_->tested[v].displacement, how)});
             if (!modes_.back().modes.empty())
                 buckling_ = std::min(buckling_, modes_.back().modes.front().factor);
         }
         modes_are_of_trial_ = true;
+    }
+
+    std::vector<PixelVector> coarse_start(std::size_t variant) const {
+        const Toolpath layer = layer_of(result_.layout, case_.print);
+        const CoarseModes coarse({&layer, 1}, case_, 2 * options_.pixel);
+        return coarse.start(coarse.of(variant), trial_->rig.model().grid);
     }
 
     void note(bool braces, std::size_t lines) {
@@ -117,10 +129,12 @@ class Loop {
         note(false, more->size());
     }
 
-    bool brace() {
+    // `share`: of the usual number of braces.
+    bool brace(int share) {
         if (!modes_are_of_trial_) find_modes();
         BraceOptions how;
-        how.area = std::min(options_.brace_step * options_.area, left());
+        how.area = std::min(share * options_.brace_step * options_.area, left());
+        how.most *= share;
         how.shortest = options_.shortest_brace;
         const Layout more = braces(trial_->rig, case_, modes_, how);
         if (more.empty()) return false;
@@ -129,8 +143,8 @@ class Loop {
         std::optional<Trial> next = trial_of(case_, with, options_.pixel);
         if (!next) return false;
         take(std::move(next), more);
-        find_modes();
-        fruitless_ = std::max(fruitless_ - 1, 0);
+        if (left() > options_.full * options_.area) find_modes();
+        fruitless_ = std::max(fruitless_ - share, 0);
         note(true, more.size());
         return true;
     }

@@ -11,7 +11,7 @@ namespace bead {
 struct StrengthenOptions {
     double area = 0;      // mm², all beads
     double pixel = 0.15;  // mm, of the tests on the way
-    int modes = 6;
+    int modes = 8;
     double margin = 1.05;  // buckling shall come this much later than breaking
     double brace_step = 0.009, patch_step = 0.005;  // of the area, per test
     double full = 0.0035;                           // of the area: what is not worth another step
@@ -21,8 +21,9 @@ struct StrengthenOptions {
 struct StrengthenStep {
     bool braces = false;  // else patches; the first step is neither
     std::size_t lines = 0;
-    double area = 0;                                 // mm², after it
-    double failure_factor = 0, buckling_factor = 0;  // of the loads
+    double area = 0;             // mm², after it
+    double failure_factor = 0;   // of the loads
+    double buckling_factor = 0;  // as last known: patches alone do not call for a new search
 };
 
 struct Strengthened {
