@@ -109,7 +109,7 @@ std::vector<int> Dissection::take_separator(const Part& part) {
             if (side_[std::size_t(point)] == far) separator.push_back(point);
     }
     std::ranges::sort(separator);
-    separator.erase(std::ranges::unique(separator).begin(), separator.end());
+    separator.erase(std::unique(separator.begin(), separator.end()), separator.end());
     for (const int point : separator) side_[std::size_t(point)] = taken;
     return separator;
 }
