@@ -16,6 +16,7 @@
 #include "strength_report.h"
 #include "study/reinforce.h"
 #include "study/reinforced_print.h"
+#include "thesis_mode.h"
 
 namespace bead::cli {
 namespace {
@@ -28,6 +29,10 @@ struct Options {
     int threads = 0;
     double shortest_brace = 2.5;
     bool only_lines = false;
+    std::string mode = "strongest";
+    ThesisModeOptions thesis;
+    double speed = 40;  // mm/s
+    std::optional<double> hotend, bed;
     MachineOptions machine;
     OutputOptions output;
 };
@@ -54,8 +59,9 @@ LayeredLayout placed(const Layout& layout, const LoadCase& load_case, const Mach
 Assessment write_layout(const Options& options, const LayeredLayout& print,
                         const Machine& machine) {
     Settings settings;
-    settings.plan.speeds.outer_wall = settings.plan.speeds.infill = settings.plan.speeds.wall = 40;
-    settings.plan.speeds.skin = 40;
+    Speeds& speeds = settings.plan.speeds;
+    speeds.outer_wall = speeds.infill = speeds.wall = speeds.skin = options.speed;
+    speeds.first_layer = std::min(speeds.first_layer, options.speed);
     settings.plan.bead_width = print.load_case.print.bead_width;
     OutputFile out(options.out);
     Judge judge(machine);
@@ -104,6 +110,29 @@ void write_picture(const Options& options, const LoadCase& load_case, const Cand
     file.keep();
 }
 
+void check_weight(const Candidate& best, const LoadCase& load_case, const std::string& file) {
+    const double laid =
+        deposited_area(best.layout, load_case.print.bead_width) / area(load_case.part);
+    if (std::abs(laid / load_case.print.fill - 1) <= 0.01) return;
+    throw Error(fmt::format("{}: fill {:.3g} cannot be reached: {:.3g} is as near as lines come; "
+                            "ask for {:.3g}",
+                            file, load_case.print.fill, laid, laid),
+                Fault::infeasible);
+}
+
+Reinforced as_the_thesis(const Options& options, const LoadCase& load_case) {
+    Reinforced found = thesis_design(load_case, options.thesis, options.load_case.file);
+    check_weight(found.best(), load_case, options.load_case.file);
+    return found;
+}
+
+Machine machine_of(const Options& options) {
+    Machine machine = machine_of(options.machine);
+    if (options.hotend) machine.material.hotend = machine.material.hotend_first = *options.hotend;
+    if (options.bed) machine.material.bed = *options.bed;
+    return machine;
+}
+
 Reinforced design_of(const Options& options, const LoadCase& load_case, const Console& console) {
     ReinforceOptions how;
     how.seeds = options.seeds;
@@ -124,12 +153,7 @@ Reinforced design_of(const Options& options, const LoadCase& load_case, const Co
         throw Error(options.load_case.file +
                         ": no layout hangs together between loads and supports; ask for more fill",
                     Fault::infeasible);
-    const double laid = deposited_area(found->best().layout, load_case.print.bead_width) / solid;
-    if (std::abs(laid / load_case.print.fill - 1) > 0.01)
-        throw Error(fmt::format("{}: fill {:.3g} cannot be reached: {:.3g} is as near as lines "
-                                "come; ask for {:.3g}",
-                                options.load_case.file, load_case.print.fill, laid, laid),
-                    Fault::infeasible);
+    check_weight(found->best(), load_case, options.load_case.file);
     return std::move(*found);
 }
 
@@ -149,8 +173,9 @@ Json layout_json(const Candidate& design, double width) {
 void reinforce(const Options& options) {
     const Console console = console_of(options.output);
     const LoadCase load_case = case_of(options.load_case);
-    const Machine machine = machine_of(options.machine);
-    const Reinforced found = design_of(options, load_case, console);
+    const Machine machine = machine_of(options);
+    const Reinforced found = options.mode == "thesis" ? as_the_thesis(options, load_case)
+                                                      : design_of(options, load_case, console);
     const Candidate& best = found.best();
     const LayeredLayout print = placed(best.layout, load_case, machine, options.load_case.file);
     const Assessment cost = write_layout(options, print, machine);
@@ -202,6 +227,19 @@ void add_reinforce(CLI::App& app) {
         ->capture_default_str();
     command.add_flag("--only-lines", options->only_lines, "no slicer pattern is a candidate");
     command.add_option("--threads", options->threads, "0: all")->check(CLI::Range(0, 1024));
+    command
+        .add_option("--mode", options->mode,
+                    "strongest, or thesis: single lines from seeds, thickened (Uncu 2023)")
+        ->check(CLI::IsMember({"strongest", "thesis"}))
+        ->capture_default_str();
+    declare(command, options->thesis);
+    command.add_option("--speed", options->speed, "mm/s, of all beads")
+        ->check(CLI::Range(1.0, 1000.0))
+        ->capture_default_str();
+    command.add_option("--hotend", options->hotend, "°C, instead of the material's")
+        ->check(CLI::Range(0.0, 500.0));
+    command.add_option("--bed", options->bed, "°C, instead of the material's")
+        ->check(CLI::Range(0.0, 300.0));
     declare(command, options->machine);
     declare(command, options->output);
     command.callback([options] { reinforce(*options); });

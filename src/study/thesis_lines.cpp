@@ -1,0 +1,177 @@
+#include "study/thesis_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+#include "geom/clip.h"
+#include "infill/edge_seeds.h"
+#include "infill/spaced_lines.h"
+#include "infill/thickened.h"
+#include "study/fixed_lines.h"
+#include "study/stress_field.h"
+
+namespace bead {
+namespace {
+
+constexpr double single_share = 0.5;            // of the lines' area that is not copies
+constexpr double closest = 0.5, farthest = 40;  // mm between seeds
+constexpr double widest = 12;                   // mm between lines placed by stress
+constexpr double just_inside = 0.01;            // mm, of seeds from the edge that lines end on
+constexpr double shortest = 3;                  // mm
+constexpr double across = 0.7071;               // cosine of the angle to an edge's normal
+constexpr int halvings = 30;
+constexpr double near_enough = 0.002;  // of the area
+
+constexpr std::array families{PrincipalFamily::first, PrincipalFamily::second};
+constexpr std::array kinds{LineKind::tensile, LineKind::compressive};
+
+double carried(PlaneTensor t, std::size_t family) {
+    const Principal p = principal(t);
+    return std::max(0.0, family == 0 ? p.first : -p.second);
+}
+
+// The x at which a falling function comes nearest to `wanted`, looked for by halving on a
+// logarithmic scale.
+double argument_of(const std::function<double(double)>& falling, double wanted, double low,
+                   double high) {
+    double best = low, least = std::abs(falling(low) - wanted);
+    for (int i = 0; i < halvings && least > near_enough * wanted; ++i) {
+        const double middle = std::sqrt(low * high), value = falling(middle);
+        if (std::abs(value - wanted) < least) {
+            least = std::abs(value - wanted);
+            best = middle;
+        }
+        (value > wanted ? low : high) = middle;
+    }
+    return best;
+}
+
+class ThesisLayer {
+  public:
+    ThesisLayer(const LoadCase& load_case, const ThesisOptions& options)
+        : case_(load_case),
+          options_(options),
+          stress_(solid_stress(load_case, 0, options.cell)),
+          inside_(offset(load_case.part, -load_case.print.bead_width / 2)) {
+        double sum = 0;
+        for (const PlaneTensor& t : stress_.values) {
+            const Principal p = principal(t);
+            trace_.scale = std::max(trace_.scale, (p.first - p.second) / 2);
+            sum += (std::abs(p.first) + std::abs(p.second)) / 2;
+        }
+        mean_ = sum / static_cast<double>(stress_.values.size());
+        trace_.step = options.step;
+    }
+
+    [[nodiscard]] Layout single_lines(double apart) const {
+        Layout lines;
+        for (std::size_t f = 0; f < families.size(); ++f)
+            for (Polyline& line :
+                 options_.seeds == ThesisSeeds::edges ? from_edges(f, apart) : by_stress(f, apart))
+                lines.push_back({kinds[f], std::move(line)});
+        return lines;
+    }
+
+    [[nodiscard]] Layout copies(const Layout& lines, double threshold) const {
+        Layout more;
+        ThickenOptions how{threshold, options_.copies, width() - bead_overlap, 2, inside_};
+        for (const LayoutLine& line : lines) {
+            const std::size_t f = line.kind == LineKind::tensile ? 0 : 1;
+            const auto load = [&](Vec2 p) { return carried(stress_(p), f); };
+            for (Polyline& copy : thickening(line.points, load, how))
+                more.push_back({line.kind, std::move(copy)});
+        }
+        return more;
+    }
+
+    [[nodiscard]] double highest() const { return 2 * trace_.scale; }
+    [[nodiscard]] double width() const { return case_.print.bead_width; }
+
+  private:
+    [[nodiscard]] std::vector<Polyline> from_edges(std::size_t f, double apart) const {
+        const PrincipalTracer tracer(stress_, inside_, trace_);
+        std::vector<Polyline> lines;
+        for (const EdgeSeed& seed : edge_seeds(offset(inside_, -just_inside), apart)) {
+            const Vec2 way = direction(stress_(seed.place), families[f]);
+            if (std::abs(cross(way, seed.along)) < across) continue;
+            const std::optional<TracedLine> line = tracer.line(seed.place, families[f]);
+            if (line && length(line->points) >= shortest) lines.push_back(line->points);
+        }
+        return lines;
+    }
+
+    [[nodiscard]] std::vector<Polyline> by_stress(std::size_t f, double apart) const {
+        SpacedOptions how;
+        how.spacing = [this, f, apart](Vec2 p) {
+            const Principal s = principal(stress_(p));
+            const double here = std::abs(f == 0 ? s.first : s.second);
+            return std::clamp(apart * mean_ / std::max(here, 1e-9 * mean_), width() - bead_overlap,
+                              widest);
+        };
+        how.largest = widest;
+        how.trace = trace_;
+        return spaced_lines(stress_, inside_, families[f], most_stressed(f), how);
+    }
+
+    // Nodes 2 mm apart, the highest stress first.
+    [[nodiscard]] std::vector<Vec2> most_stressed(std::size_t f) const {
+        const int stride = std::max(1, static_cast<int>(std::lround(2 / stress_.step)));
+        std::vector<std::pair<double, Vec2>> places;
+        for (int j = 0; j < stress_.rows; j += stride)
+            for (int i = 0; i < stress_.columns; i += stride) {
+                const Principal s = principal(stress_.node(i, j));
+                places.emplace_back(std::abs(f == 0 ? s.first : s.second),
+                                    stress_.origin + stress_.step * Vec2{double(i), double(j)});
+            }
+        std::ranges::stable_sort(places, std::greater{}, &std::pair<double, Vec2>::first);
+        std::vector<Vec2> seeds;
+        seeds.reserve(places.size());
+        for (const auto& [value, place] : places) seeds.push_back(place);
+        return seeds;
+    }
+
+    const LoadCase& case_;
+    ThesisOptions options_;
+    Sampled<PlaneTensor> stress_;
+    Region inside_;
+    TraceOptions trace_;
+    double mean_ = 0;  // MPa
+};
+
+}  // namespace
+
+std::optional<ThesisLines> thesis_lines(const LoadCase& load_case, const ThesisOptions& options) {
+    const double width = load_case.print.bead_width;
+    ThesisLines result;
+    result.layout = wall_lines(load_case.part, width, load_case.print.walls);
+    for (LayoutLine& pad : pad_lines(load_case, load_case.print.walls))
+        result.layout.push_back(std::move(pad));
+    const double free =
+        load_case.print.fill * area(load_case.part) - deposited_area(result.layout, width);
+    if (free <= 0) return std::nullopt;
+    const ThesisLayer layer(load_case, options);
+    const auto single_area = [&](double apart) {
+        return deposited_area(layer.single_lines(apart), width);
+    };
+    result.apart = options.apart > 0
+                       ? options.apart
+                       : argument_of(single_area, (options.copies > 0 ? single_share : 1) * free,
+                                     closest, farthest);
+    Layout lines = layer.single_lines(result.apart);
+    const double left = free - deposited_area(lines, width);
+    if (options.copies > 0 && left > 0) {
+        const auto copied_area = [&](double threshold) {
+            return deposited_area(layer.copies(lines, threshold), width);
+        };
+        result.threshold = argument_of(copied_area, left, 1e-4 * layer.highest(), layer.highest());
+        for (LayoutLine& copy : layer.copies(lines, result.threshold))
+            result.layout.push_back(std::move(copy));
+    }
+    result.layout.insert(result.layout.end(), lines.begin(), lines.end());
+    result.area = deposited_area(result.layout, width);
+    return result;
+}
+
+}  // namespace bead
