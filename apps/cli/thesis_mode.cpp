@@ -10,8 +10,8 @@ namespace bead::cli {
 void declare(CLI::App& command, ThesisModeOptions& options) {
     command
         .add_option("--line-seeds", options.seeds,
-                    "thesis mode: lines begin on edges, or all over the part by stress")
-        ->check(CLI::IsMember({"edges", "stress"}))
+                    "thesis mode: where lines begin: on edges, evenly all over, or by stress")
+        ->check(CLI::IsMember({"edges", "even", "stress"}))
         ->capture_default_str();
     command
         .add_option("--seed-distance", options.lines.apart,
@@ -32,7 +32,8 @@ Reinforced thesis_design(const LoadCase& load_case, const ThesisModeOptions& opt
                         "--mode strongest for all of them",
                         file, load_case.situations.size()));
     ThesisOptions how = options.lines;
-    how.seeds = options.seeds == "stress" ? ThesisSeeds::stress : ThesisSeeds::edges;
+    if (options.seeds == "even") how.seeds = ThesisSeeds::even;
+    if (options.seeds == "stress") how.seeds = ThesisSeeds::stress;
     std::optional<ThesisLines> lines = thesis_lines(load_case, how);
     if (!lines)
         throw Error(
@@ -41,13 +42,15 @@ Reinforced thesis_design(const LoadCase& load_case, const ThesisModeOptions& opt
                         file, load_case.print.fill, least_area(load_case) / area(load_case.part)),
             Fault::infeasible);
     const Toolpath layer = layer_of(lines->layout, load_case.print);
+    const std::string copies = lines->threshold > 0
+                                   ? fmt::format("copies from {:.3g} MPa", lines->threshold)
+                                   : "single lines";
     Reinforced found;
-    found.candidates.push_back(
-        {fmt::format("thesis mode, seeds {:.3g} mm apart, copies from {:.3g} MPa", lines->apart,
-                     lines->threshold),
-         std::move(lines->layout),
-         strength_of({&layer, 1}, load_case, {}),
-         {}});
+    found.candidates.push_back({fmt::format("thesis mode, seeds {:.3g} and {:.3g} mm apart, {}",
+                                            lines->apart[0], lines->apart[1], copies),
+                                std::move(lines->layout),
+                                strength_of({&layer, 1}, load_case, {}),
+                                {}});
     return found;
 }
 

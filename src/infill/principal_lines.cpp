@@ -59,6 +59,11 @@ std::optional<Vec2> PrincipalTracer::crossing(Vec2 from, Vec2 to) const {
     return lerp(from, to, first);
 }
 
+// Out of the region, or across a corner of it and in again.
+bool PrincipalTracer::leaves(Vec2 from, Vec2 to) const {
+    return !edges_.contains(to) || crossing(from, to);
+}
+
 // Where the line itself meets the edge: steps made shorter until they end on it.
 Vec2 PrincipalTracer::end_on_edge(Vec2 at, Vec2 way, PrincipalFamily family) const {
     constexpr int halvings = 24;
@@ -68,8 +73,9 @@ Vec2 PrincipalTracer::end_on_edge(Vec2 at, Vec2 way, PrincipalFamily family) con
         const double h = (inside + outside) / 2;
         const std::optional<Vec2> next_way = runge_kutta(at, way, family, h);
         const Vec2 next = at + h * next_way.value_or(way);
-        (edges_.contains(next) ? inside : outside) = h;
-        (edges_.contains(next) ? last : beyond) = next;
+        const bool is_out = leaves(at, next);
+        (is_out ? outside : inside) = h;
+        (is_out ? beyond : last) = next;
     }
     return crossing(last, beyond).value_or(last);
 }
@@ -85,7 +91,7 @@ PrincipalTracer::Half PrincipalTracer::half(Vec2 seed, Vec2 way, PrincipalFamily
             return found;
         }
         const Vec2 next = at + options_.step * *next_way;
-        if (!edges_.contains(next)) {
+        if (leaves(at, next)) {
             found.points.push_back(end_on_edge(at, *next_way, family));
             found.end = TraceEnd::boundary;
             return found;

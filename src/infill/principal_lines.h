@@ -63,6 +63,7 @@ class PrincipalTracer {
     [[nodiscard]] std::optional<Vec2> way_at(Vec2 p, Vec2 before, PrincipalFamily family) const;
     [[nodiscard]] std::optional<Vec2> runge_kutta(Vec2 p, Vec2 before, PrincipalFamily family,
                                                   double h) const;
+    [[nodiscard]] bool leaves(Vec2 from, Vec2 to) const;
     [[nodiscard]] Vec2 end_on_edge(Vec2 at, Vec2 way, PrincipalFamily family) const;
     [[nodiscard]] std::optional<Vec2> crossing(Vec2 from, Vec2 to) const;
     [[nodiscard]] Half half(Vec2 seed, Vec2 way, PrincipalFamily family) const;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
+#include <limits>
 
 #include "geom/clip.h"
 #include "infill/edge_seeds.h"
@@ -65,13 +65,13 @@ class ThesisLayer {
         trace_.step = options.step;
     }
 
-    [[nodiscard]] Layout single_lines(double apart) const {
-        Layout lines;
-        for (std::size_t f = 0; f < families.size(); ++f)
-            for (Polyline& line :
-                 options_.seeds == ThesisSeeds::edges ? from_edges(f, apart) : by_stress(f, apart))
-                lines.push_back({kinds[f], std::move(line)});
-        return lines;
+    [[nodiscard]] std::vector<Polyline> family(std::size_t f, double apart) const {
+        return options_.seeds == ThesisSeeds::edges ? from_edges(f, apart) : spaced(f, apart);
+    }
+    [[nodiscard]] double family_area(std::size_t f, double apart) const {
+        double sum = 0;
+        for (const Polyline& line : family(f, apart)) sum += length(line);
+        return sum * width();
     }
 
     [[nodiscard]] Layout copies(const Layout& lines, double threshold) const {
@@ -102,15 +102,16 @@ class ThesisLayer {
         return lines;
     }
 
-    [[nodiscard]] std::vector<Polyline> by_stress(std::size_t f, double apart) const {
+    [[nodiscard]] std::vector<Polyline> spaced(std::size_t f, double apart) const {
         SpacedOptions how;
         how.spacing = [this, f, apart](Vec2 p) {
+            if (options_.seeds == ThesisSeeds::even) return apart;
             const Principal s = principal(stress_(p));
             const double here = std::abs(f == 0 ? s.first : s.second);
             return std::clamp(apart * mean_ / std::max(here, 1e-9 * mean_), width() - bead_overlap,
                               widest);
         };
-        how.largest = widest;
+        how.largest = std::max(widest, apart);
         how.trace = trace_;
         return spaced_lines(stress_, inside_, families[f], most_stressed(f), how);
     }
@@ -140,6 +141,37 @@ class ThesisLayer {
     double mean_ = 0;  // MPa
 };
 
+double common_distance(const ThesisLayer& layer, double wanted) {
+    return argument_of(
+        [&](double apart) { return layer.family_area(0, apart) + layer.family_area(1, apart); },
+        wanted, closest, farthest);
+}
+
+// Lines come and go in pairs, so one distance for both families rarely meets the volume. Of pairs
+// of distances about it those that meet it best, and among these the two most alike.
+std::array<double, 2> distances(const ThesisLayer& layer, double wanted, double middle) {
+    constexpr int most = 12;
+    constexpr double ratio = 1.02;
+    std::array<std::vector<std::pair<double, double>>, 2> tried;  // distance, area
+    for (int i = -most; i <= most; ++i)
+        for (std::size_t f = 0; f < 2; ++f) {
+            const double apart = middle * std::pow(ratio, i);
+            tried[f].emplace_back(apart, layer.family_area(f, apart));
+        }
+    std::array<double, 2> best{middle, middle};
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [first, first_area] : tried[0])
+        for (const auto& [second, second_area] : tried[1]) {
+            const double off = std::abs(first_area + second_area - wanted) / wanted;
+            const double cost =
+                std::max(off, near_enough) + 1e-3 * std::abs(std::log(first / second));
+            if (cost >= least) continue;
+            least = cost;
+            best = {first, second};
+        }
+    return best;
+}
+
 }  // namespace
 
 std::optional<ThesisLines> thesis_lines(const LoadCase& load_case, const ThesisOptions& options) {
@@ -152,14 +184,14 @@ std::optional<ThesisLines> thesis_lines(const LoadCase& load_case, const ThesisO
         load_case.print.fill * area(load_case.part) - deposited_area(result.layout, width);
     if (free <= 0) return std::nullopt;
     const ThesisLayer layer(load_case, options);
-    const auto single_area = [&](double apart) {
-        return deposited_area(layer.single_lines(apart), width);
-    };
-    result.apart = options.apart > 0
-                       ? options.apart
-                       : argument_of(single_area, (options.copies > 0 ? single_share : 1) * free,
-                                     closest, farthest);
-    Layout lines = layer.single_lines(result.apart);
+    const double single = (options.copies > 0 ? single_share : 1) * free;
+    const double apart = options.apart > 0 ? options.apart : common_distance(layer, single);
+    result.apart = {apart, apart};
+    if (options.apart <= 0 && options.copies == 0) result.apart = distances(layer, free, apart);
+    Layout lines;
+    for (std::size_t f = 0; f < 2; ++f)
+        for (Polyline& line : layer.family(f, result.apart[f]))
+            lines.push_back({kinds[f], std::move(line)});
     const double left = free - deposited_area(lines, width);
     if (options.copies > 0 && left > 0) {
         const auto copied_area = [&](double threshold) {

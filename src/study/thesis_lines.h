@@ -5,15 +5,16 @@
 //
 //     const std::optional<ThesisLines> lines = thesis_lines(load_case, {});
 #pragma once
+#include <array>
 #include <optional>
 
 #include "study/layout.h"
 
 namespace bead {
 
-// Where lines begin: on edges that they meet more across than along, or all over the part at
-// distances in inverse proportion to the stress along them.
-enum class ThesisSeeds : std::uint8_t { edges, stress };
+// Where lines begin: on edges that they meet more across than along; or all over the part, at one
+// distance or at distances in inverse proportion to the stress along them.
+enum class ThesisSeeds : std::uint8_t { edges, even, stress };
 
 struct ThesisOptions {
     ThesisSeeds seeds = ThesisSeeds::edges;
@@ -24,10 +25,10 @@ struct ThesisOptions {
 };
 
 struct ThesisLines {
-    Layout layout;         // walls and pads too
-    double apart = 0;      // mm
-    double threshold = 0;  // MPa that the first pair of copies stands for; 0: no copies
-    double area = 0;       // mm², deposited: the nearest to the case's that seeds and copies reach
+    Layout layout;                  // walls and pads too
+    std::array<double, 2> apart{};  // mm, of either family
+    double threshold = 0;           // MPa that the first pair of copies stands for; 0: no copies
+    double area = 0;  // mm², deposited: the nearest to the case's that seeds and copies reach
 };
 
 // Of the first situation's loads. Nothing if walls and pads alone weigh more than the case says.
