@@ -7,8 +7,10 @@
 #include "geom/clip.h"
 #include "geom/polygon.h"
 #include "geom/resample.h"
+#include "infill/clear_of_walls.h"
 #include "infill/stripes.h"
 #include "infill/trimmed_ends.h"
+#include "study/fixed_lines.h"
 
 namespace bead {
 namespace {
@@ -51,9 +53,13 @@ Layout laid(const LoadCase& load_case, const Layout& fixed, const Densities& den
         for (Polyline& line : inside_parts(raw, inside))
             lines.push_back({static_cast<int>(family), std::move(line)});
     }
-    std::vector<Polyline> fixed_lines;
-    for (const LayoutLine& line : fixed) fixed_lines.push_back(line.points);
+    std::vector<Polyline> fixed_lines, walls;
+    for (const LayoutLine& line : fixed) {
+        fixed_lines.push_back(line.points);
+        if (line.kind == LineKind::wall) walls.push_back(line.points);
+    }
     Layout layout = fixed;
+    lines = clear_of_walls(lines, walls, {.near = load_case.print.bead_width - bead_overlap});
     for (FamilyLine& line : trimmed_ends(std::move(lines), fixed_lines, {}))
         layout.push_back(
             {line.family == 0 ? LineKind::tensile : LineKind::compressive, std::move(line.points)});
