@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "geom/clip.h"
-#include "geom/near_order.h"
 #include "geom/polygon.h"
+#include "geom/short_order.h"
 #include "geom/simplify.h"
 #include "plan/route.h"
 
@@ -78,7 +78,7 @@ std::vector<Toolpath> toolpaths(const LayeredLayout& print, const PlanOptions& o
         for (const LineKind kind : order(index)) {
             std::vector<Polyline> lines = lines_of(print.layout, kind, print.shift);
             if (lines.empty()) continue;
-            for (const Polyline& line : near_order(std::move(lines), route.at()))
+            for (const Polyline& line : short_order(std::move(lines), route.at()))
                 route.lay({role_of(kind), frame.bead}, line, part);
         }
         at = route.at();
