@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "gcode/reader.h"
 #include "geom/box.h"
+#include "study/green_part.h"
 #include "toolpath/laid_layers.h"
 
 namespace bead::cli {
@@ -42,12 +43,13 @@ void expect_same_size(const std::string& file, const Box2& laid, const Box2& par
 
 std::vector<Toolpath> layers_of_file(const std::string& file, const LoadCase& load_case,
                                      double filament) {
-    LaidLayers laid(filament, load_case.print.layer_height);
+    LaidLayers laid(filament, load_case.print.layer_height * load_case.material.green_height);
     read_gcode(std::filesystem::path(file), [&](const Command& command) { laid.add(command); });
     std::vector<Toolpath> layers;
     for (LaidLayer& layer : std::move(laid).finished()) {
         std::erase_if(layer.paths, [](const Path& path) { return !belongs_to_part(path); });
-        if (!layer.paths.empty()) layers.push_back(std::move(layer.paths));
+        if (!layer.paths.empty())
+            layers.push_back(as_sintered(std::move(layer.paths), load_case.material));
     }
     if (layers.empty()) throw Error(file + ": lays no bead of a part; is it a print?");
     const Box2 box = box_of(layers), part = bounds(load_case.part);

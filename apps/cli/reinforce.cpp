@@ -14,6 +14,7 @@
 #include "part.h"
 #include "scene/layout_picture.h"
 #include "strength_report.h"
+#include "study/green_part.h"
 #include "study/reinforce.h"
 #include "study/reinforced_print.h"
 #include "thesis_mode.h"
@@ -170,6 +171,11 @@ Json layout_json(const Candidate& design, double width) {
     return json;
 }
 
+std::string sideways_words(const Strength& strength) {
+    return strength.sideways_load ? fmt::format(", sideways at {:.1f} N", *strength.sideways_load)
+                                  : "";
+}
+
 void reinforce(const Options& options) {
     const Console console = console_of(options.output);
     const LoadCase load_case = case_of(options.load_case);
@@ -177,13 +183,15 @@ void reinforce(const Options& options) {
     const Reinforced found = options.mode == "thesis" ? as_the_thesis(options, load_case)
                                                       : design_of(options, load_case, console);
     const Candidate& best = found.best();
-    const LayeredLayout print = placed(best.layout, load_case, machine, options.load_case.file);
+    const auto [layout, green] = green_part(best.layout, load_case);
+    const LayeredLayout print = placed(layout, green, machine, options.load_case.file);
     const Assessment cost = write_layout(options, print, machine);
     write_picture(options, load_case, best);
-    console.say("{}: {} layers, {}, breaks at {:.1f} N, buckles at {:.1f} N, {:.2f} N/g ({})\n",
+    console.say("{}: {} layers, {}, breaks at {:.1f} N, buckles at {:.1f} N{}, {:.2f} N/g ({})\n",
                 options.out, print.layers, spoken_time(cost.motion.duration),
                 best.strength.failure_load, best.strength.buckling_load,
-                strength_to_weight(best.strength), best.name);
+                sideways_words(best.strength), strength_to_weight(best.strength), best.name);
+    warn_of_sideways(console, {{options.out, best.strength, false}});
     if (options.output.json.empty()) return;
     Json json = result_head("reinforce", {options.load_case.file});
     json["output"] = options.out;

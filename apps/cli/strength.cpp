@@ -56,7 +56,8 @@ std::vector<Design> designs_of(const Options& options, const LoadCase& load_case
     return designs;
 }
 
-NamedStrength tested(const Design& design, const LoadCase& load_case, const StrengthOptions& how) {
+NamedStrength tested(const Design& design, const LoadCase& load_case, StrengthOptions how) {
+    how.sideways = !design.is_baseline;
     return {design.name, strength_of(design.layers, load_case, how), design.is_baseline};
 }
 
@@ -113,6 +114,7 @@ void strength(const Options& options) {
         tested(designs_of(options, load_case), load_case, options);
     warn_of_weights(results, load_case, console);
     print_strengths(console, results);
+    warn_of_sideways(console, results);
     if (options.output.json.empty()) return;
     std::vector<std::string> inputs{options.load_case.file};
     inputs.insert(inputs.end(), options.files.begin(), options.files.end());

@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "job/solid_material_file.h"
+#include "study/green_part.h"
 #include "study/reinforce.h"
 
 namespace bead::cli {
@@ -12,17 +13,28 @@ void print_strengths(const Console& console, std::vector<NamedStrength> designs)
     std::ranges::stable_sort(designs, std::greater{}, [](const NamedStrength& design) {
         return strength_to_weight(design.strength);
     });
-    console.say("{:<30} {:>8} {:>9} {:>9} {:>9} {:>9}\n", "design", "g", "N/mm", "breaks N",
-                "buckles N", "N/g");
+    console.say("{:<30} {:>8} {:>9} {:>9} {:>9} {:>10} {:>9}\n", "design", "g", "N/mm", "breaks N",
+                "buckles N", "sideways N", "N/g");
     for (const auto& [name, s, is_baseline] : designs) {
         if (!s.holds) {
             console.say("{:<30} {:>8.2f} holds nothing: loads and supports do not hang together\n",
                         name, s.mass);
             continue;
         }
-        console.say("{:<30} {:>8.3f} {:>9.1f} {:>9.1f} {:>9.1f} {:>9.2f}\n", name, s.mass,
-                    s.stiffness, s.failure_load, s.buckling_load, strength_to_weight(s));
+        console.say("{:<30} {:>8.3f} {:>9.1f} {:>9.1f} {:>9.1f} {:>10} {:>9.2f}\n", name, s.mass,
+                    s.stiffness, s.failure_load, s.buckling_load,
+                    s.sideways_load ? fmt::format("{:.1f}", *s.sideways_load) : "-",
+                    strength_to_weight(s));
     }
+}
+
+void warn_of_sideways(const Console& console, const std::vector<NamedStrength>& designs) {
+    for (const auto& [name, s, is_baseline] : designs)
+        if (s.sideways_load && !s.counts_sideways && *s.sideways_load < s.bears())
+            console.warn(
+                fmt::format("{}: buckles out of its plane at {:.1f} N unless it is guided; say "
+                            "guided = true or false in the case",
+                            name, *s.sideways_load));
 }
 
 Json strength_json(const NamedStrength& design) {
@@ -40,6 +52,8 @@ Json strength_json(const NamedStrength& design) {
               {"buckling_load_n", s.buckling_load},
               {"bears_n", s.bears()},
               {"strength_to_weight", strength_to_weight(s)}};
+    if (s.sideways_load) json["sideways_buckling_load_n"] = *s.sideways_load;
+    json["counts_sideways"] = s.counts_sideways;
     if (s.peak_load) json["peak_load_n"] = *s.peak_load;
     if (s.anisotropic_load) json["anisotropic_failure_load_n"] = *s.anisotropic_load;
     return json;
@@ -75,6 +89,7 @@ LoadCase case_of(const CaseOptions& options) {
                 load.turn = options.range[0] * pi / 180;
                 load.move = options.range[1];
             }
+    load_case.print = as_sintered(load_case.print, load_case.material);
     check_printable(load_case, options.file);
     return load_case;
 }

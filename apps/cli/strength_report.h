@@ -17,6 +17,8 @@ struct NamedStrength {
 
 // One line per design, the strongest per weight first.
 void print_strengths(const Console& console, std::vector<NamedStrength> designs);
+// Of designs that would buckle out of their plane before they bear what is said, unless guided.
+void warn_of_sideways(const Console& console, const std::vector<NamedStrength>& designs);
 Json strength_json(const NamedStrength& design);
 
 // The case with what options say instead of the file.

@@ -20,6 +20,7 @@ struct Options {
     std::string file, vtu, picture, elements = "auto";
     double size = 0;
     int most = 500;
+    bool buckling = false;
     OutputOptions output;
 };
 
@@ -55,6 +56,13 @@ std::optional<double> change_by_mesh(const LoadCase& load_case, const Sheet& she
     return work > 0 ? (work - coarse.answers.front().work) / work : 0;
 }
 
+std::vector<SolidBuckling> buckling_of(const LoadCase& load_case) {
+    std::vector<SolidBuckling> found;
+    for (std::size_t s = 0; s < load_case.situations.size(); ++s)
+        found.push_back(solid_buckling(load_case, s));
+    return found;
+}
+
 void stress_plane(const LoadCase& load_case, const Options& options) {
     const Console console = console_of(options.output);
     const SheetOptions how{
@@ -63,7 +71,9 @@ void stress_plane(const LoadCase& load_case, const Options& options) {
     if (sheet.failure) throw Error(options.file + ": " + *sheet.failure);
     for (const SheetAnswer& answer : sheet.answers)
         check_converged(options.file, answer.converged, answer.residual, answer.iterations);
-    const StressReport report{load_case, sheet, change_by_mesh(load_case, sheet, how)};
+    const StressReport report{
+        load_case, sheet, change_by_mesh(load_case, sheet, how),
+        options.buckling ? buckling_of(load_case) : std::vector<SolidBuckling>{}};
     print_stress(console, report);
     write(options.vtu, [&](std::ostream& out) { write_vtu(out, report); });
     write(options.picture, [&](std::ostream& out) { out << stress_picture(load_case, sheet); });
@@ -120,6 +130,8 @@ void add_stress(CLI::App& app) {
     command.add_option("--iterations", options->most, "at most, where the solver iterates")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
+    command.add_flag("--buckling", options->buckling,
+                     "also when the solid part buckles, in its plane and out of it");
     declare(command, options->output);
     command.callback([options] { stress(*options); });
 }

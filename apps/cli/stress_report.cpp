@@ -79,6 +79,22 @@ void print_answer(const Console& console, const StressReport& report, const Shee
     }
 }
 
+std::string factor_words(double factor) {
+    return factor > 0 ? fmt::format("{:.4g} times the loads", factor) : "never";
+}
+
+void print_buckling(const Console& console, const SolidBuckling& buckling) {
+    console.say(
+        "  buckles            {} in its plane, {} out of it\n", factor_words(buckling.in_plane),
+        buckling.sideways ? factor_words(*buckling.sideways) : std::string("nothing holds it"));
+}
+
+void append_buckling(Json& json, const SolidBuckling& buckling) {
+    if (buckling.in_plane > 0) json["buckling_factor"] = buckling.in_plane;
+    if (buckling.sideways && *buckling.sideways > 0)
+        json["sideways_buckling_factor"] = *buckling.sideways;
+}
+
 std::vector<float> floats(const std::vector<PlaneTensor>& stress, double (*value)(PlaneTensor)) {
     std::vector<float> values;
     values.reserve(stress.size());
@@ -122,12 +138,14 @@ void print_stress(const Console& console, const StressReport& report) {
         if (report.sheet.answers.size() > 1)
             console.say("\nCase {}, weight {:g}\n", s + 1, report.load_case.situations[s].weight);
         print_answer(console, report, report.sheet.answers[s]);
+        if (s < report.buckling.size()) print_buckling(console, report.buckling[s]);
     }
 }
 
 Json stress_json(const StressReport& report) {
     const std::vector<SheetAnswer>& answers = report.sheet.answers;
     Json result = answer_json(answers.front());
+    if (!report.buckling.empty()) append_buckling(result, report.buckling.front());
     double work = 0, largest = 0;
     Json cases = Json::array();
     for (std::size_t s = 0; s < answers.size(); ++s) {
@@ -136,6 +154,7 @@ Json stress_json(const StressReport& report) {
         largest = std::max(largest, answers[s].largest);
         Json one{{"weight", weight}};
         one.update(answer_json(answers[s]));
+        if (s < report.buckling.size()) append_buckling(one, report.buckling[s]);
         cases.push_back(std::move(one));
     }
     result["work_n_mm"] = answers.size() > 1 ? work : answers.front().work;

@@ -6,6 +6,7 @@
 
 #include "console.h"
 #include "fem/sheet.h"
+#include "fem/sideways.h"
 #include "json_result.h"
 
 namespace bead::cli {
@@ -13,7 +14,8 @@ namespace bead::cli {
 struct StressReport {
     const LoadCase& load_case;
     const Sheet& sheet;
-    std::optional<double> change_by_mesh;  // of the first situation's work, part of it
+    std::optional<double> change_by_mesh;   // of the first situation's work, part of it
+    std::vector<SolidBuckling> buckling{};  // per situation
 };
 
 void print_stress(const Console& console, const StressReport& report);

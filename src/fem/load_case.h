@@ -15,6 +15,8 @@ struct SolidMaterial {
     double tensile = 35;      // MPa, strength
     double compressive = 52;  // MPa, strength, positive
     double density = 1.04;    // g/cm³
+    // What is printed over what it becomes: metal filament shrinks when it is sintered.
+    double green_plane = 1, green_height = 1;
 };
 
 struct Circle {
@@ -63,6 +65,7 @@ struct PrintWish {
 struct LoadCase {
     std::string title;
     double thickness = 1;         // mm
+    std::optional<bool> guided;   // kept in its plane, as between plates; nothing: not said
     Region part;                  // round holes as polygons within a few µm
     std::vector<Circle> circles;  // those of them that are round; meshes with curved sides use them
     SolidMaterial material;

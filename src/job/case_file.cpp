@@ -46,6 +46,9 @@ SolidMaterial read_material(TomlReader& file) {
     m.tensile = file.number("material.tensile_mpa", m.tensile, positive);
     m.compressive = file.number("material.compressive_mpa", m.compressive, positive);
     m.density = file.number("material.density_g_cm3", m.density, positive);
+    constexpr Range scales{.low = 0.5, .high = 2};
+    m.green_plane = file.number("material.green_scale_plane", m.green_plane, scales);
+    m.green_height = file.number("material.green_scale_height", m.green_height, scales);
     return m;
 }
 
@@ -208,6 +211,7 @@ LoadCase plane_case(TomlReader& file, const std::string& name) {
                                                  result.part.size()));
     if (thickness == 0 && !file.place_of("thickness_mm")) file.refuse("thickness_mm", "is missing");
     result.thickness = file.number("thickness_mm", thickness, positive);
+    if (file.place_of("guided")) result.guided = file.flag("guided", false);
     result.material = read_material(file);
     result.print = read_print(file);
     result.situations = read_situations(file);

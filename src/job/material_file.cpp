@@ -21,7 +21,8 @@ Material read_material(const DataFile& data, const Material& usually) {
     m.heat_capacity = file.number("heat_capacity_j_gk", usually.heat_capacity, not_negative);
     m.latent = file.number("latent_j_g", usually.latent, not_negative);
     // What solid_material_file.h reads.
-    for (const std::string_view key : {"young_mpa", "poisson", "tensile_mpa", "compressive_mpa"})
+    for (const std::string_view key : {"young_mpa", "poisson", "tensile_mpa", "compressive_mpa",
+                                       "green_scale_plane", "green_scale_height"})
         file.ignore(key);
     file.finish();
     return m;

@@ -5,6 +5,11 @@
 #include "job/toml_reader.h"
 
 namespace bead {
+namespace {
+
+constexpr Range green_scales{.low = 0.5, .high = 2};
+
+}  // namespace
 
 SolidMaterial load_solid_material(const std::string& name_or_file) {
     const DataFile data = data_file("material", name_or_file);
@@ -19,6 +24,8 @@ SolidMaterial load_solid_material(const std::string& name_or_file) {
     m.tensile = file.number("tensile_mpa", m.tensile, positive);
     m.compressive = file.number("compressive_mpa", m.tensile, positive);
     m.density = file.number("density_g_cm3", m.density, positive);
+    m.green_plane = file.number("green_scale_plane", m.green_plane, green_scales);
+    m.green_height = file.number("green_scale_height", m.green_height, green_scales);
     return m;
 }
 

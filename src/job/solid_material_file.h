@@ -1,5 +1,6 @@
 // The strength of materials, by name or from a file: the keys young_mpa, poisson, tensile_mpa and
-// compressive_mpa of a material's TOML (data/materials, each with its source).
+// compressive_mpa of a material's TOML (data/materials, each with its source); of those that are
+// sintered also green_scale_plane and green_scale_height, what is printed over what it becomes.
 #pragma once
 #include <string>
 

@@ -7,6 +7,7 @@
 #include "strength/anisotropic.h"
 #include "strength/coarse_modes.h"
 #include "strength/progressive.h"
+#include "strength/sideways_strength.h"
 
 namespace bead {
 namespace {
@@ -72,6 +73,10 @@ void test_variant(Strength& strength, const TestRig& rig, std::size_t v,
                      peak_factor(rig, v, tested) * force);
 }
 
+std::optional<double> finite(std::optional<double> load) {
+    return load && std::isfinite(*load) ? load : std::nullopt;
+}
+
 }  // namespace
 
 int layer_count(const LoadCase& load_case) {
@@ -96,6 +101,9 @@ Strength strength_of(std::span<const Toolpath> layers, const LoadCase& load_case
     for (std::size_t v = 0; v < rig->variants().size(); ++v)
         test_variant(strength, *rig, v, options, coarse);
     if (strength.buckling_load == endless) strength.buckling_load = strength.buckling_factor = 0;
+    strength.counts_sideways = counts_sideways(load_case);
+    if (options.buckling && (options.sideways ? is_thin(load_case) : strength.counts_sideways))
+        strength.sideways_load = finite(sideways_load(layers, load_case));
     if (options.anisotropic)
         strength.anisotropic_load = anisotropic_failure_load(layers, load_case, *rig);
     return strength;

@@ -6,6 +6,7 @@
 
 #include "core/parallel.h"
 #include "geom/polygon.h"
+#include "strength/sideways_strength.h"
 #include "study/fixed_lines.h"
 #include "study/slicer_layouts.h"
 #include "study/stress_lines.h"
@@ -33,7 +34,7 @@ Layout fixed_lines(const LoadCase& load_case) {
 
 Strength scored(const LoadCase& load_case, const Layout& layout) {
     const Toolpath layer = layer_of(layout, load_case.print);
-    return strength_of({&layer, 1}, load_case, {});
+    return strength_of({&layer, 1}, load_case, {.sideways = false});
 }
 
 Candidate grown(const LoadCase& load_case, const Layout& fixed, const Densities& best,
@@ -126,6 +127,10 @@ std::optional<Reinforced> reinforced(const LoadCase& load_case, const ReinforceO
              challengers(load_case, strength_to_weight(result.best().strength), options.threads))
             result.candidates.push_back(std::move(challenger));
     sort_best_first(result.candidates);
+    Candidate& best_one = result.candidates.front();
+    const Toolpath layer = layer_of(best_one.layout, load_case.print);
+    if (is_thin(load_case) && !best_one.strength.sideways_load)
+        best_one.strength.sideways_load = sideways_load({&layer, 1}, load_case);
     tell(options.progress, 1, "done");
     return result;
 }
