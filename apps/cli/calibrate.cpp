@@ -11,7 +11,7 @@
 namespace bead::cli {
 namespace {
 
-struct Options {
+struct CalibrateCall {
     MeasuredOptions measured;
     std::string model, fit, out;
     double acceleration = 1000;
@@ -20,7 +20,7 @@ struct Options {
     OutputOptions output;
 };
 
-void check(const Options& options) {
+void check(const CalibrateCall& options) {
     const MeasuredOptions& from = options.measured;
     if (from.file.empty() == from.power_log.empty())
         throw Error("calibrate needs either a table or history of measured prints, or --power-log",
@@ -52,7 +52,7 @@ std::vector<EnergyModel> models_for(const MeasuredPrints& measured) {
 std::string shown_place(const MeasuredPrints& measured) { return measured.inputs.front(); }
 
 // The fit to be shown in full.
-std::size_t chosen_fit(const Options& options, const Calibration& found,
+std::size_t chosen_fit(const CalibrateCall& options, const Calibration& found,
                        const std::vector<EnergyModel>& models, const MeasuredPrints& measured) {
     if (options.model == "best")
         if (const auto best = best_at_new_prints(found)) return *best;
@@ -81,7 +81,7 @@ std::size_t chosen_fit(const Options& options, const Calibration& found,
 
 std::vector<std::string> warnings_about(const MeasuredPrints& measured,
                                         const std::vector<EnergyModel>& models,
-                                        const Options& options) {
+                                        const CalibrateCall& options) {
     std::vector<std::string> warnings;
     EnergyModel plainest = models.front();
     for (const EnergyModel model : models)
@@ -113,7 +113,7 @@ void warn_of_scope(const MeasuredPrints& measured, std::vector<std::string>& war
         first.name, first.energy / *first.duration));
 }
 
-void write_model(const Options& options, const FittedModel& fit, const MeasuredPrints& measured) {
+void write_model(const CalibrateCall& options, const FittedModel& fit, const MeasuredPrints& measured) {
     if (options.out.empty()) return;
     OutputFile file(options.out);
     write_calibrated(
@@ -123,7 +123,7 @@ void write_model(const Options& options, const FittedModel& fit, const MeasuredP
     file.keep();
 }
 
-void calibrate(const Options& options) {
+void calibrate(const CalibrateCall& options) {
     check(options);
     const Console console = console_of(options.output);
     const MeasuredPrints measured = measured_prints(options.measured, console);
@@ -154,7 +154,7 @@ void calibrate(const Options& options) {
     write_result(options.output.json, result);
 }
 
-void declare(CLI::App& command, Options& options) {
+void declare(CLI::App& command, CalibrateCall& options) {
     MeasuredOptions& from = options.measured;
     command.add_option("OBSERVATIONS", from.file,
                        "table of measured prints (.csv), or Moonraker's job history (.json)");
@@ -194,7 +194,7 @@ void declare(CLI::App& command, Options& options) {
 }  // namespace
 
 void add_calibrate(CLI::App& app) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<CalibrateCall>();
     CLI::App& command =
         *app.add_subcommand("calibrate", "the energy model's coefficients from measured prints");
     command.footer(

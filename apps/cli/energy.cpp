@@ -14,7 +14,7 @@
 namespace bead::cli {
 namespace {
 
-struct Options {
+struct EnergyCall {
     std::string file, mode = "physics";
     bool explain = false;
     std::string csv, step, picture, grid_co2, tariff, start;
@@ -39,7 +39,7 @@ void expect_together(const std::string& option, bool given, bool has, const std:
                     Fault::usage);
 }
 
-OverTimeOptions over_time(const Options& options) {
+OverTimeOptions over_time(const EnergyCall& options) {
     expect_together("--step", !options.step.empty(),
                     !options.csv.empty() || !options.picture.empty(), "--csv or --picture");
     expect_together("--start", !options.start.empty(), !options.tariff.empty(), "--tariff");
@@ -67,7 +67,7 @@ std::vector<ExplainedTerm> terms_of(EnergyMode mode, const JudgedFile& judged) {
     return explained(judged.cost.energy.terms, machine.printer, machine.material);
 }
 
-EnergyResult judged_energy(const Options& options, const Console& console) {
+EnergyResult judged_energy(const EnergyCall& options, const Console& console) {
     const OverTimeOptions asked = over_time(options);
     EnergyResult result;
     result.mode = asked.mode;
@@ -93,7 +93,7 @@ EnergyResult judged_energy(const Options& options, const Console& console) {
     return result;
 }
 
-void energy(const Options& options) {
+void energy(const EnergyCall& options) {
     const Console console = console_of(options.output);
     const EnergyResult result = judged_energy(options, console);
     print_energy(console, result, options.machine);
@@ -109,7 +109,7 @@ void energy(const Options& options) {
     write_result(options.output.json, json);
 }
 
-void declare_energy(CLI::App& command, Options& options) {
+void declare_energy(CLI::App& command, EnergyCall& options) {
     command.add_option("FILE", options.file, "G-code of any slicer, also gzipped")->required();
     command
         .add_option("--mode", options.mode,
@@ -135,7 +135,7 @@ void declare_energy(CLI::App& command, Options& options) {
 }  // namespace
 
 void add_energy(CLI::App& app) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<EnergyCall>();
     CLI::App& command =
         *app.add_subcommand("energy", "what printing a G-code file draws, by consumer");
     command.footer(

@@ -55,7 +55,7 @@ void add_coverage(const LayerPair& layer, PathFigures& before, PathFigures& afte
     const std::vector<Polyline> loops = outer_loops(layer.before);
     if (loops.empty()) return;
     const Walls walls = walls_of(layer.before);
-    const Region outline = offset(region_of(loops, Winding::even_odd), walls.spacing / 2);
+    const Region outline = offset(region_of(loops, FillRule::even_odd), walls.spacing / 2);
     const double band =
         walls.spacing * std::max(1.0, std::round(walls.all / std::max(walls.outer, 1e-9)));
     const std::vector<Polyline> curves = outline_curves(loops);

@@ -11,7 +11,7 @@
 namespace bead::cli {
 namespace {
 
-struct Options {
+struct OptimizeCall {
     std::string out, baseline_out, picture, patterns;
     std::string goal = "machine-energy";
     double angle_step_deg = 15;
@@ -41,7 +41,7 @@ std::vector<NamedPattern> patterns_of(const std::string& list) {
     return chosen;
 }
 
-OptimizeOptions search_options(const Options& options, const Settings& settings,
+OptimizeOptions search_options(const OptimizeCall& options, const Settings& settings,
                                const Console& console) {
     OptimizeOptions search;
     search.goal = goal_of(options.goal);
@@ -55,7 +55,7 @@ OptimizeOptions search_options(const Options& options, const Settings& settings,
     return search;
 }
 
-void optimize_part(const Options& options) {
+void optimize_part(const OptimizeCall& options) {
     const Console console = console_of(options.output);
     const Machine machine = machine_of(options.machine);
     const Settings settings = settings_of(options.process, console);
@@ -82,7 +82,7 @@ void optimize_part(const Options& options) {
 }  // namespace
 
 void add_optimize(CLI::App& app) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<OptimizeCall>();
     CLI::App& command =
         *app.add_subcommand("optimize", "the main job: the print of a part that costs least");
     command.footer(

@@ -19,7 +19,7 @@
 namespace bead::cli {
 namespace {
 
-struct Options {
+struct PostProcessCall {
     std::string file;
     bool dry_run = false;
     MachineOptions machine;
@@ -73,7 +73,7 @@ std::string counted(std::ptrdiff_t count, const std::string& what) {
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-std::string what_changed(const Options& options, const TimeRewrite& result) {
+std::string what_changed(const PostProcessCall& options, const TimeRewrite& result) {
     if (result.edits.empty()) return "all of the file says so already";
     const auto many = std::ranges::count_if(result.edits, is_one_of_many);
     return fmt::format("{} of progress and {} {}", counted(many, "line"),
@@ -81,7 +81,7 @@ std::string what_changed(const Options& options, const TimeRewrite& result) {
                        options.dry_run ? "would change" : "changed");
 }
 
-void print_text(const Console& console, const Options& options, const TimeRewrite& result) {
+void print_text(const Console& console, const PostProcessCall& options, const TimeRewrite& result) {
     const auto& estimate = result.slicer_estimate;
     console.say("{}: printing time {}{}; {}\n", options.file,
                 console.strong(time_text(result.told)),
@@ -93,7 +93,7 @@ void print_text(const Console& console, const Options& options, const TimeRewrit
             console.say("{}{}", diff_of('-', edit.was), diff_of('+', edit.now));
 }
 
-void write_json(const Options& options, const TimeRewrite& result) {
+void write_json(const PostProcessCall& options, const TimeRewrite& result) {
     const auto many = std::ranges::count_if(result.edits, is_one_of_many);
     Json json = result_head("post-process", {options.file});
     json["time_s"] = result.told;
@@ -105,7 +105,7 @@ void write_json(const Options& options, const TimeRewrite& result) {
     write_result(options.output.json, json);
 }
 
-void post_process(const Options& options) {
+void post_process(const PostProcessCall& options) {
     const Console console = console_of(options.output);
     refuse_unsuitable(options.file);
     const TimeRewrite result = time_rewrite(options.file, options.machine);
@@ -118,7 +118,7 @@ void post_process(const Options& options) {
 }  // namespace
 
 void add_post_process(CLI::App& app) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<PostProcessCall>();
     CLI::App& command =
         *app.add_subcommand("post-process", "put true times into a G-code file, in place");
     command.footer(

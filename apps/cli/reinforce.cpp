@@ -22,7 +22,7 @@
 namespace bead::cli {
 namespace {
 
-struct Options {
+struct ReinforceCall {
     CaseOptions load_case;
     std::string out, picture;
     int seeds = 6;
@@ -57,7 +57,7 @@ LayeredLayout placed(const Layout& layout, const LoadCase& load_case, const Mach
     return {layout, load_case, layers, middle_of_bed(machine.printer) - box.centre()};
 }
 
-Assessment write_layout(const Options& options, const LayeredLayout& print,
+Assessment write_layout(const ReinforceCall& options, const LayeredLayout& print,
                         const Machine& machine) {
     Settings settings;
     Speeds& speeds = settings.plan.speeds;
@@ -104,7 +104,7 @@ std::string picture_of(const LoadCase& load_case, const Candidate& design) {
     return layout_picture(picture);
 }
 
-void write_picture(const Options& options, const LoadCase& load_case, const Candidate& design) {
+void write_picture(const ReinforceCall& options, const LoadCase& load_case, const Candidate& design) {
     if (options.picture.empty()) return;
     OutputFile file(options.picture);
     file.stream() << picture_of(load_case, design);
@@ -121,20 +121,20 @@ void check_weight(const Candidate& best, const LoadCase& load_case, const std::s
                 Fault::infeasible);
 }
 
-Reinforced as_the_thesis(const Options& options, const LoadCase& load_case) {
+Reinforced as_the_thesis(const ReinforceCall& options, const LoadCase& load_case) {
     Reinforced found = thesis_design(load_case, options.thesis, options.load_case.file);
     check_weight(found.best(), load_case, options.load_case.file);
     return found;
 }
 
-Machine machine_of(const Options& options) {
+Machine machine_of(const ReinforceCall& options) {
     Machine machine = machine_of(options.machine);
     if (options.hotend) machine.material.hotend = machine.material.hotend_first = *options.hotend;
     if (options.bed) machine.material.bed = *options.bed;
     return machine;
 }
 
-Reinforced design_of(const Options& options, const LoadCase& load_case, const Console& console) {
+Reinforced design_of(const ReinforceCall& options, const LoadCase& load_case, const Console& console) {
     ReinforceOptions how;
     how.seeds = options.seeds;
     how.first_seed = static_cast<std::uint32_t>(options.seed);
@@ -176,7 +176,7 @@ std::string sideways_words(const Strength& strength) {
                                   : "";
 }
 
-void reinforce(const Options& options) {
+void reinforce(const ReinforceCall& options) {
     const Console console = console_of(options.output);
     const LoadCase load_case = case_of(options.load_case);
     const Machine machine = machine_of(options);
@@ -212,7 +212,7 @@ void reinforce(const Options& options) {
 }  // namespace
 
 void add_reinforce(CLI::App& app) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ReinforceCall>();
     CLI::App& command =
         *app.add_subcommand("reinforce", "infill along the stresses of a load case, as G-code");
     command.footer(

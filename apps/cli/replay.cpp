@@ -12,7 +12,7 @@
 namespace bead::cli {
 namespace {
 
-struct Options {
+struct ReplayCall {
     std::string experiment;
     bool all = false;
     std::string csv, scatter, angles;
@@ -31,7 +31,7 @@ void write(const std::string& place, const Write& write_to) {
     file.keep();
 }
 
-void replay(const Options& options) {
+void replay(const ReplayCall& options) {
     const Console console = console_of(options.output);
     const Machine machine{load_printer("prusa-mk3s"), load_material("pla"), {}};
     const Replay replay{
@@ -59,7 +59,7 @@ void replay(const Options& options) {
 }  // namespace
 
 void add_replay(CLI::App& app) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ReplayCall>();
     CLI::App& command =
         *app.add_subcommand("replay", "a published experiment made again, side by side");
     command.footer(

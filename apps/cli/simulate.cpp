@@ -11,7 +11,7 @@
 namespace bead::cli {
 namespace {
 
-struct Options {
+struct SimulateCall {
     std::vector<std::string> files;
     std::string blocks, csv;
     int threads = 0;
@@ -27,7 +27,7 @@ void write_block(std::ostream& out, const Block& b) {
     out.write(row.data(), static_cast<std::streamsize>(row.size()));
 }
 
-JudgedFile judge_with_blocks(const Options& options, const Console& console) {
+JudgedFile judge_with_blocks(const SimulateCall& options, const Console& console) {
     if (options.files.size() > 1)
         throw Error("--blocks: writes the blocks of one file; name one file at a time",
                     Fault::usage);
@@ -42,7 +42,7 @@ JudgedFile judge_with_blocks(const Options& options, const Console& console) {
     return judged;
 }
 
-std::vector<JudgedFile> judge(const Options& options, const Console& console) {
+std::vector<JudgedFile> judge(const SimulateCall& options, const Console& console) {
     if (!options.blocks.empty()) return {judge_with_blocks(options, console)};
     return judge_files(options.files, options.machine, options.threads, console, Judging::motion);
 }
@@ -56,7 +56,7 @@ void write_csv(const std::string& place, const std::vector<JudgedFile>& all) {
     file.keep();
 }
 
-Json json_of(const Options& options, const std::vector<JudgedFile>& all) {
+Json json_of(const SimulateCall& options, const std::vector<JudgedFile>& all) {
     Json result = result_head("simulate", options.files);
     if (all.size() == 1) {
         result.update(simulation_json(all[0], options.machine));
@@ -71,7 +71,7 @@ Json json_of(const Options& options, const std::vector<JudgedFile>& all) {
     return result;
 }
 
-void simulate(const Options& options) {
+void simulate(const SimulateCall& options) {
     const Console console = console_of(options.output);
     const std::vector<JudgedFile> all = judge(options, console);
     for (const JudgedFile& judged : all) {
@@ -85,7 +85,7 @@ void simulate(const Options& options) {
 }  // namespace
 
 void add_simulate(CLI::App& app) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<SimulateCall>();
     CLI::App& command = *app.add_subcommand("simulate", "time and motion of G-code files");
     command.footer(
         "Example: how long will it take on my Klipper machine, and where does the time go?\n"

@@ -10,7 +10,7 @@
 namespace bead::cli {
 namespace {
 
-struct Options {
+struct SliceCall {
     std::string out;
     ProcessOptions process;
     MachineOptions machine;
@@ -22,7 +22,7 @@ Json volume_json(const Volumes& v) {
             {"support", v.support}, {"skirt", v.skirt}, {"other", v.other}};
 }
 
-void slice_part(const Options& options) {
+void slice_part(const SliceCall& options) {
     const Console console = console_of(options.output);
     const Machine machine = machine_of(options.machine);
     const Settings settings = settings_of(options.process, console);
@@ -67,7 +67,7 @@ void slice_part(const Options& options) {
 }  // namespace
 
 void add_slice(CLI::App& app) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<SliceCall>();
     CLI::App& command = *app.add_subcommand("slice", "a part to G-code, as told, without search");
     command.footer(
         "Example: 0.1 mm layers, 15 % infill in concentric rings, part turned by 30 degrees\n"

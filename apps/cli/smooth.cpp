@@ -20,7 +20,7 @@ namespace {
 
 constexpr double largest_tolerance = 5;  // mm, of infill and travel
 
-struct Options {
+struct SmoothCall {
     std::string file, out, setpoints, picture;
     std::vector<double> modes;
     std::optional<double> outer, wall, infill, travel;
@@ -59,7 +59,7 @@ void check_tolerance(const std::string& option, double value, double most, const
         refuse(option, fmt::format("{} mm is wider than {} ({} mm); give less", value, what, most));
 }
 
-SmoothTolerances tolerances_of(const Options& options, double bead) {
+SmoothTolerances tolerances_of(const SmoothCall& options, double bead) {
     SmoothTolerances tolerances;
     const auto take = [](double& value, const std::optional<double>& asked) {
         if (asked) value = *asked;
@@ -75,7 +75,7 @@ SmoothTolerances tolerances_of(const Options& options, double bead) {
     return tolerances;
 }
 
-std::array<double, 2> modes_of(const Options& options, const VibrationModel& model) {
+std::array<double, 2> modes_of(const SmoothCall& options, const VibrationModel& model) {
     if (options.modes.empty())
         return {first_mode(model.axes[0]).frequency, first_mode(model.axes[1]).frequency};
     if (options.modes.size() != 2)
@@ -89,7 +89,7 @@ std::array<double, 2> modes_of(const Options& options, const VibrationModel& mod
     return {options.modes[0], options.modes[1]};
 }
 
-TimeLaw law_of(const Options& options, const Limits& limits) {
+TimeLaw law_of(const SmoothCall& options, const Limits& limits) {
     const auto row = std::ranges::find(named_laws, options.law, &NamedLaw::name);
     TimeLaw law = row->law;
     law.acceleration = limits.acceleration;
@@ -97,7 +97,7 @@ TimeLaw law_of(const Options& options, const Limits& limits) {
     return law;
 }
 
-ShakenMachine machine_of(const Machine& machine, const Options& options) {
+ShakenMachine machine_of(const Machine& machine, const SmoothCall& options) {
     ShakenMachine shaken{machine.printer.vibration, machine.material};
     for (std::size_t k = 0; k < 2 && !options.modes.empty(); ++k)
         shaken.model.axes[k] = with_mode(
@@ -106,7 +106,7 @@ ShakenMachine machine_of(const Machine& machine, const Options& options) {
     return shaken;
 }
 
-void refuse_unsuitable(const Options& options) {
+void refuse_unsuitable(const SmoothCall& options) {
     namespace fs = std::filesystem;
     std::error_code unknown;
     if (fs::is_directory(options.file))
@@ -115,7 +115,7 @@ void refuse_unsuitable(const Options& options) {
         refuse("-o", options.out + " is the input itself; name another file");
 }
 
-SmoothFileOptions file_options(const Options& options, const MachineChoice& choice) {
+SmoothFileOptions file_options(const SmoothCall& options, const MachineChoice& choice) {
     const Printer& printer = choice.machine.printer;
     SmoothFileOptions file;
     file.smooth.tolerances = tolerances_of(options, printer.nozzle);
@@ -132,7 +132,7 @@ SmoothFileOptions file_options(const Options& options, const MachineChoice& choi
     return file;
 }
 
-void smooth(const Options& options) {
+void smooth(const SmoothCall& options) {
     const Console console = console_of(options.output);
     refuse_unsuitable(options);
     const MachineChoice choice = machine_choice(options.machine, slicer_notes(options.file));
@@ -166,7 +166,7 @@ void smooth(const Options& options) {
     write_result(options.output.json, json);
 }
 
-void declare_stages(CLI::App& command, Options& options) {
+void declare_stages(CLI::App& command, SmoothCall& options) {
     for (const Stage& stage : stages)
         command.add_flag_callback(
             std::string("--no-") + stage.name,
@@ -178,7 +178,7 @@ void declare_stages(CLI::App& command, Options& options) {
                      "leave out infill loops, the others wider, where the hollows stay as small");
 }
 
-void declare_smooth(CLI::App& command, Options& options) {
+void declare_smooth(CLI::App& command, SmoothCall& options) {
     command.add_option("FILE", options.file, "G-code of any slicer, also gzipped")->required();
     command.add_option("-o,--output", options.out, "where to write")
         ->type_name("OUT.gcode")
@@ -217,7 +217,7 @@ void declare_smooth(CLI::App& command, Options& options) {
 }  // namespace
 
 void add_smooth(CLI::App& app) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<SmoothCall>();
     CLI::App& command = *app.add_subcommand("smooth", "the same print, shaking the machine less");
     command.footer(
         "Example: any slicer's file for a large machine that rings at 14 and 22 Hz\n"

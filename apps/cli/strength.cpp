@@ -16,7 +16,7 @@
 namespace bead::cli {
 namespace {
 
-struct Options {
+struct StrengthCall {
     CaseOptions load_case;
     std::vector<std::string> files;
     int phases = 4;
@@ -39,7 +39,7 @@ std::string name_of_place(const SlicerSetting& setting) {
                                : fmt::format("{}, place {}", name_of(setting), setting.phase + 1);
 }
 
-std::vector<Design> designs_of(const Options& options, const LoadCase& load_case) {
+std::vector<Design> designs_of(const StrengthCall& options, const LoadCase& load_case) {
     std::vector<Design> designs;
     for (const std::string& file : options.files)
         designs.push_back({std::filesystem::path(file).filename().string(),
@@ -63,7 +63,7 @@ NamedStrength tested(const Design& design, const LoadCase& load_case, StrengthOp
 
 // Patterns whose first failure alone says that another is better are not tested for buckling.
 std::vector<NamedStrength> tested_for_best(const std::vector<Design>& designs,
-                                           const LoadCase& load_case, const Options& options) {
+                                           const LoadCase& load_case, const StrengthCall& options) {
     std::vector<NamedStrength> results(designs.size());
     StrengthOptions quick = options.test;
     quick.buckling = false;
@@ -85,7 +85,7 @@ std::vector<NamedStrength> tested_for_best(const std::vector<Design>& designs,
 }
 
 std::vector<NamedStrength> tested(const std::vector<Design>& designs, const LoadCase& load_case,
-                                  const Options& options) {
+                                  const StrengthCall& options) {
     if (options.best) return tested_for_best(designs, load_case, options);
     std::vector<NamedStrength> results(designs.size());
     parallel_for(designs.size(), options.threads,
@@ -107,7 +107,7 @@ void warn_of_weights(const std::vector<NamedStrength>& results, const LoadCase& 
     }
 }
 
-void strength(const Options& options) {
+void strength(const StrengthCall& options) {
     const Console console = console_of(options.output);
     const LoadCase load_case = case_of(options.load_case);
     const std::vector<NamedStrength> results =
@@ -127,7 +127,7 @@ void strength(const Options& options) {
 }  // namespace
 
 void add_strength(CLI::App& app) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<StrengthCall>();
     CLI::App& command = *app.add_subcommand(
         "strength", "a simulated test of printed structures, of the same part at the same weight");
     command.footer(

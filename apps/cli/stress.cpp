@@ -16,7 +16,7 @@
 namespace bead::cli {
 namespace {
 
-struct Options {
+struct StressCall {
     std::string file, vtu, picture, elements = "auto";
     double size = 0;
     int most = 500;
@@ -29,7 +29,7 @@ const std::map<std::string, Elements> element_names{{"auto", Elements::automatic
                                                     {"pixels", Elements::pixels}};
 
 template <class Write>
-void write(const std::string& place, const Write& write_to) {
+void write_asked(const std::string& place, const Write& write_to) {
     if (place.empty()) return;
     OutputFile file(place);
     write_to(file.stream());
@@ -63,7 +63,7 @@ std::vector<SolidBuckling> buckling_of(const LoadCase& load_case) {
     return found;
 }
 
-void stress_plane(const LoadCase& load_case, const Options& options) {
+void stress_plane(const LoadCase& load_case, const StressCall& options) {
     const Console console = console_of(options.output);
     const SheetOptions how{
         .size = options.size, .elements = element_names.at(options.elements), .most = options.most};
@@ -75,15 +75,15 @@ void stress_plane(const LoadCase& load_case, const Options& options) {
         load_case, sheet, change_by_mesh(load_case, sheet, how),
         options.buckling ? buckling_of(load_case) : std::vector<SolidBuckling>{}};
     print_stress(console, report);
-    write(options.vtu, [&](std::ostream& out) { write_vtu(out, report); });
-    write(options.picture, [&](std::ostream& out) { out << stress_picture(load_case, sheet); });
+    write_asked(options.vtu, [&](std::ostream& out) { write_vtu(out, report); });
+    write_asked(options.picture, [&](std::ostream& out) { out << stress_picture(load_case, sheet); });
     if (options.output.json.empty()) return;
     Json result = result_head("stress", {options.file});
     result.update(stress_json(report));
     write_result(options.output.json, result);
 }
 
-void stress_solid(const SolidCase& solid, const Options& options) {
+void stress_solid(const SolidCase& solid, const StressCall& options) {
     if (!options.picture.empty())
         throw Error("--picture: draws cases of the plane; look at -o OUT.vtu instead",
                     Fault::usage);
@@ -92,14 +92,14 @@ void stress_solid(const SolidCase& solid, const Options& options) {
     if (answer.failure) throw Error(options.file + ": " + *answer.failure);
     check_converged(options.file, answer.converged, answer.residual, answer.iterations);
     print_solid(console, solid, answer);
-    write(options.vtu, [&](std::ostream& out) { write_vtu(out, answer); });
+    write_asked(options.vtu, [&](std::ostream& out) { write_vtu(out, answer); });
     if (options.output.json.empty()) return;
     Json result = result_head("stress", {options.file});
     result.update(solid_json(answer));
     write_result(options.output.json, result);
 }
 
-void stress(const Options& options) {
+void stress(const StressCall& options) {
     const AnyCase any = read_case(options.file);
     if (const auto* solid = std::get_if<SolidCase>(&any))
         stress_solid(*solid, options);
@@ -110,7 +110,7 @@ void stress(const Options& options) {
 }  // namespace
 
 void add_stress(CLI::App& app) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<StressCall>();
     CLI::App& command =
         *app.add_subcommand("stress", "displacements and stresses of a part under load");
     command.footer(

@@ -16,9 +16,9 @@
 namespace bead::cli {
 namespace {
 
-constexpr double step = 0.001;  // s, of the simulation
+constexpr double time_step = 0.001;  // s, of the simulation
 
-struct Options {
+struct VibrationCall {
     std::string file;
     std::vector<std::string> laws, resonances;
     std::string shaper = "none";
@@ -36,7 +36,7 @@ std::vector<std::string> law_names() {
 }
 
 // What the printer's limits say, under the law's profile; "K1Mf" brings shaper and feed-forward.
-TimeLaw law_of(const std::string& name, const Options& options, const Limits& limits) {
+TimeLaw law_of(const std::string& name, const VibrationCall& options, const Limits& limits) {
     TimeLaw law;
     const auto named = std::ranges::find(named_laws, name, &NamedLaw::name);
     if (named != named_laws.end()) law = named->law;
@@ -52,7 +52,7 @@ TimeLaw law_of(const std::string& name, const Options& options, const Limits& li
     return law;
 }
 
-std::string label(const std::string& name, const TimeLaw& law, const Options& options) {
+std::string label(const std::string& name, const TimeLaw& law, const VibrationCall& options) {
     std::string text = name;
     if (options.shaper != "none") text += "+" + std::string(shaper_names[std::size_t(*law.shaper)]);
     if (options.feed_forward) text += "+f";
@@ -64,7 +64,7 @@ class Listening {
   public:
     Listening(const ShakenMachine& machine, double filament, const TimeLaw& law,
               const std::string& samples)
-        : meter_(machine, law, step),
+        : meter_(machine, law, time_step),
           motion_(filament, planned_by(law),
                   [this](const MotionSegment& segment) { meter_.add(segment); }) {
         if (!samples.empty()) write_samples(samples);
@@ -96,7 +96,7 @@ class Listening {
     PrintMotion motion_;
 };
 
-VibrationModel model_of(const Options& options, const Printer& printer) {
+VibrationModel model_of(const VibrationCall& options, const Printer& printer) {
     VibrationModel model = printer.vibration;
     for (std::size_t k = 0; k < 2 && !options.resonances.empty(); ++k) {
         const std::string& file = options.resonances[std::min(k, options.resonances.size() - 1)];
@@ -112,7 +112,7 @@ void check_extruded(const Response& response, const std::string& file) {
                 "the sliced file?");
 }
 
-VibrationResult heard(const Options& options, const Console& console) {
+VibrationResult heard(const VibrationCall& options, const Console& console) {
     const Machine machine = machine_choice(options.machine, slicer_notes(options.file)).machine;
     const Printer& printer = machine.printer;
     const ShakenMachine shaken{model_of(options, printer), machine.material};
@@ -137,7 +137,7 @@ VibrationResult heard(const Options& options, const Console& console) {
     return result;
 }
 
-void vibration(const Options& options) {
+void vibration(const VibrationCall& options) {
     const Console console = console_of(options.output);
     const VibrationResult result = heard(options, console);
     print_vibration(console, result);
@@ -158,7 +158,7 @@ void vibration(const Options& options) {
     write_result(options.output.json, json);
 }
 
-void declare_vibration(CLI::App& command, Options& options) {
+void declare_vibration(CLI::App& command, VibrationCall& options) {
     command.add_option("FILE", options.file, "G-code of any slicer, also gzipped")->required();
     command
         .add_option("--law", options.laws,
@@ -191,7 +191,7 @@ void declare_vibration(CLI::App& command, Options& options) {
 }  // namespace
 
 void add_vibration(CLI::App& app) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<VibrationCall>();
     CLI::App& command =
         *app.add_subcommand("vibration", "how a print shakes the machine, by time law");
     command.footer(

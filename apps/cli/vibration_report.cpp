@@ -11,7 +11,7 @@ namespace {
 
 constexpr double seen_to = 60;  // Hz, of the picture
 
-struct Row {
+struct ReportRow {
     const char* label;
     std::function<std::string(const Response&)> value;
 };
@@ -20,9 +20,9 @@ std::string share(const Response& r, double part) {
     return fmt::format("{:.0f} J ({:.1f} %)", part, 100 * part / total(r.energy));
 }
 
-const std::vector<Row>& rows() {
+const std::vector<ReportRow>& report_rows() {
     using R = const Response&;
-    static const std::vector<Row> table{
+    static const std::vector<ReportRow> table{
         {"time", [](R r) { return spoken_time(r.time); }},
         {"rms acceleration, mm/s²", [](R r) { return fmt::format("{:.0f}", r.rms_acceleration); }},
         {"  of it 5-40 Hz", [](R r) { return fmt::format("{:.0f}", r.rms_5_40hz); }},
@@ -91,7 +91,7 @@ void print_vibration(const Console& console, const VibrationResult& result) {
     console.say("{:<26}", "time law");
     for (const LawResponse& law : result.laws) console.say("{:>20}", law.name);
     console.say("\n");
-    for (const Row& row : rows()) {
+    for (const ReportRow& row : report_rows()) {
         // By hand: columns are counted in letters, of which some are longer than a byte.
         const std::string label = row.label;
         const auto letters =

@@ -10,7 +10,7 @@ namespace bead {
 
 namespace {
 
-constexpr double rounding = 1e-6;  // s: what is closer to a change is after it
+constexpr double time_rounding = 1e-6;  // s: what is closer to a change is after it
 
 bool covers_the_day(const Tariff& tariff) {
     double end = 0;
@@ -28,7 +28,7 @@ Billing::Billing(Tariff tariff, double start) : tariff_(std::move(tariff)), star
     bill_.energy.resize(tariff_.size());
 }
 
-double Billing::time_of_day(double time) const { return std::fmod(start_ + time + rounding, day); }
+double Billing::time_of_day(double time) const { return std::fmod(start_ + time + time_rounding, day); }
 
 std::size_t Billing::rate_at(double time) const {
     const double now = time_of_day(time);
@@ -37,7 +37,7 @@ std::size_t Billing::rate_at(double time) const {
 }
 
 double Billing::next_change(double time) const {
-    return time + rounding + tariff_[rate_at(time)].to - time_of_day(time);
+    return time + time_rounding + tariff_[rate_at(time)].to - time_of_day(time);
 }
 
 void Billing::add(const PowerPiece& piece) {

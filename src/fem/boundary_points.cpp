@@ -105,7 +105,7 @@ Region Boundary::region() const {
             at = std::exchange(next[std::size_t(at)], -1);
         }
     }
-    return region_of(outlines, Winding::even_odd);
+    return region_of(outlines, FillRule::even_odd);
 }
 
 Boundary boundary_of(std::vector<MeasuredLoop> loops, std::vector<Circle> circles,

@@ -91,7 +91,7 @@ std::optional<double> length_in(std::string_view text) {
     return number.value;
 }
 
-bool is_name_part(char c) { return unsigned((c | 0x20) - 'a') < 26 || is_digit(c); }
+bool is_slicer_name_part(char c) { return unsigned((c | 0x20) - 'a') < 26 || is_digit(c); }
 
 }  // namespace
 
@@ -186,7 +186,7 @@ void Annotations::width(std::string_view number) {
 
 void Annotations::author(std::string_view name) {
     if (!slicer_.empty()) return;
-    slicer_ = std::string(name.begin(), std::ranges::find_if_not(name, is_name_part));
+    slicer_ = std::string(name.begin(), std::ranges::find_if_not(name, is_slicer_name_part));
     if (slicer_ == "Cura") tagged_ = true;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array axes{axis_x, axis_y, axis_z, axis_e};
 constexpr std::string_view axis_letters = "XYZE";
-constexpr PerAxis<double> farthest{1e6, 1e6, 1e6, 1e9};  // mm; E is 1000 km of filament
+constexpr PerAxis<double> farthest_place{1e6, 1e6, 1e6, 1e9};  // mm; E is 1000 km of filament
 constexpr int most_turns = 100;                          // of one arc, as in Marlin
 constexpr double fastest = 1e4;                          // mm/s: as fast as the axis' limit lets it
 constexpr std::size_t most_saved = 1000;
@@ -39,8 +39,8 @@ void Interpreter::take_feed(const MoveWords& words) {
 }
 
 double Interpreter::place_at(double place, std::size_t axis) const {
-    if (std::abs(place) > farthest[axis])
-        fail(std::string("the move leads beyond ") + std::to_string(farthest[axis] / 1e6) +
+    if (std::abs(place) > farthest_place[axis])
+        fail(std::string("the move leads beyond ") + std::to_string(farthest_place[axis] / 1e6) +
              " km in " + axis_letters[axis] + "; correct or remove it");
     return place;
 }
@@ -110,7 +110,7 @@ std::optional<Arc> Interpreter::arc_told(const Words& words, const Position& to,
     if (in(marlin_dialect | reprap_dialect) && words.has('R'))
         centre = arc_centre({to[p] - from[p], to[q] - from[q]}, words.at('R') * unit_, clockwise)
                      .value_or(Vec2{});
-    if (centre == Vec2{} || length(centre) > farthest[axis_x]) return {};
+    if (centre == Vec2{} || length(centre) > farthest_place[axis_x]) return {};
     const double turns = in(marlin_dialect) ? number_or_0(words, 'P') : 0;
     if (turns < 0 || turns > most_turns) return {};
     return Arc{

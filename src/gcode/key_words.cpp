@@ -9,12 +9,12 @@ namespace bead {
 namespace {
 
 constexpr std::string_view blanks = " \t\r";
-constexpr double largest_number = 1e9;
+constexpr double largest_setting = 1e9;
 
-char capital(char c) { return c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c; }
+char upper_case(char c) { return c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c; }
 
 bool same(std::string_view a, std::string_view b) {
-    return std::ranges::equal(a, b, {}, capital, capital);
+    return std::ranges::equal(a, b, {}, upper_case, upper_case);
 }
 
 std::string_view unquoted(std::string_view value) {
@@ -44,7 +44,7 @@ KeyNumber number_of(std::string_view words, std::string_view key) {
     const char* const end = text->data() + text->size();
     const Number number = read_number(text->data(), end, true);
     const bool whole = !text->empty() && number.end == end;
-    if (!whole || !(std::abs(number.value) <= largest_number)) return {.named = true, .value = {}};
+    if (!whole || !(std::abs(number.value) <= largest_setting)) return {.named = true, .value = {}};
     return {.named = true, .value = number.value};
 }
 

@@ -7,7 +7,7 @@
 namespace bead {
 namespace {
 
-constexpr std::string_view axis_letters = "XYZE";
+constexpr std::string_view limit_letters = "XYZE";
 
 std::optional<double> above_zero(const Words& words, char letter) {
     if (!words.has(letter) || words.at(letter) <= 0) return {};
@@ -73,7 +73,7 @@ SetLimits klipper_acceleration(const Words& words) {
 std::optional<AxisLimits> axis_limits(const Words& words, bool zero_allowed, double per) {
     AxisLimits limits;
     for (std::size_t axis = 0; axis < limits.size(); ++axis) {
-        const char letter = axis_letters[axis];
+        const char letter = limit_letters[axis];
         if (!words.has(letter)) continue;
         const double told = words.at(letter);
         if (told > 0 || (told == 0 && zero_allowed)) limits[axis] = told / per;

@@ -28,13 +28,13 @@ constexpr std::array uses{
     CommandUse{'M', 155, LineUse::aside},
 };
 
-std::string_view trimmed(std::string_view text) {
+std::string_view stripped(std::string_view text) {
     const auto first = text.find_first_not_of(" \t");
     return first == std::string_view::npos ? std::string_view{} : text.substr(first);
 }
 
 bool names_feature(std::string_view comment) {
-    const std::string_view text = trimmed(comment);
+    const std::string_view text = stripped(comment);
     return std::ranges::any_of(feature_tags,
                                [&](const char* tag) { return text.starts_with(tag); });
 }

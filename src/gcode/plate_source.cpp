@@ -26,7 +26,7 @@ std::optional<int> plate_number(std::string_view path) {
     return fault == std::errc() && stop == digits.end() ? std::optional(number) : std::nullopt;
 }
 
-std::shared_ptr<zip_t> opened(const std::filesystem::path& file) {
+std::shared_ptr<zip_t> opened_archive(const std::filesystem::path& file) {
     int fault = 0;
     zip_t* const archive = zip_open(file.c_str(), ZIP_RDONLY, &fault);
     if (archive == nullptr)
@@ -61,7 +61,7 @@ bool is_archive(const std::filesystem::path& file) {
 }
 
 OpenedText open_plate(const std::filesystem::path& file) {
-    const std::shared_ptr<zip_t> archive = opened(file);
+    const std::shared_ptr<zip_t> archive = opened_archive(file);
     const std::optional<Plate> plate = first_plate(archive.get());
     if (!plate)
         throw Error(file.string() +

@@ -12,7 +12,7 @@
 namespace bead {
 namespace {
 
-constexpr double hair = 1e-9;  // so that 100 * (0.29 / 1) is cut to 29
+constexpr double digit_rounding = 1e-9;  // so that 100 * (0.29 / 1) is cut to 29
 
 using Marks = std::vector<TimeMark>;
 
@@ -53,7 +53,7 @@ class Clock {
 // Cut, as slicers do, so that equal times leave a line as it is.
 std::string cut_number(double value, int decimals) {
     const double one = std::pow(10.0, decimals);
-    const double cut = std::floor(value * one + hair) / one;
+    const double cut = std::floor(value * one + digit_rounding) / one;
     std::array<char, 400> digits;
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), cut,
                                    std::chars_format::fixed, decimals);

@@ -11,7 +11,7 @@ namespace bead {
 namespace {
 
 constexpr std::size_t longest_mark = 1024;  // bytes; a longer line is none
-constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+constexpr std::string_view leading_mark = "\xef\xbb\xbf";
 
 constexpr std::array<std::pair<std::string_view, TimeWord>, 8> comments{{
     {"; estimated printing time (normal mode) = ", TimeWord::total},
@@ -98,7 +98,7 @@ class Finder {
     }
 
     [[nodiscard]] bool belongs_to_head(std::string_view text) const {
-        if (line_ == 1 && text.starts_with(byte_order_mark)) return true;
+        if (line_ == 1 && text.starts_with(leading_mark)) return true;
         return text.starts_with(';') && !starts_thumbnail(text);
     }
 

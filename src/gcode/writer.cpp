@@ -14,22 +14,22 @@
 namespace bead {
 namespace {
 
-constexpr std::string_view axis_letters = "XYZE";
+constexpr std::string_view written_axes = "XYZE";
 constexpr PerAxis<int> decimals{3, 3, 3, 5};
 constexpr int value_decimals = 3;    // of feeds, temperatures, limits
 constexpr int fine_decimals = 5;     // of limits that are small: mm of deviation, ratios
 constexpr int comment_decimals = 5;  // of layers and beads
-constexpr std::array axes{axis_x, axis_y, axis_z, axis_e};
+constexpr std::array all_axes{axis_x, axis_y, axis_z, axis_e};
 
 // By Plane: its word, its axes and the words for the centre along these.
-struct PlaneWords {
+struct WrittenPlane {
     std::string_view command;
     std::array<Axis, 2> axes;
     std::array<char, 2> centre;
 };
-constexpr std::array planes{PlaneWords{"G17\n", {axis_x, axis_y}, {'I', 'J'}},
-                            PlaneWords{"G18\n", {axis_z, axis_x}, {'K', 'I'}},
-                            PlaneWords{"G19\n", {axis_y, axis_z}, {'J', 'K'}}};
+constexpr std::array written_planes{WrittenPlane{"G17\n", {axis_x, axis_y}, {'I', 'J'}},
+                            WrittenPlane{"G18\n", {axis_z, axis_x}, {'K', 'I'}},
+                            WrittenPlane{"G19\n", {axis_y, axis_z}, {'J', 'K'}}};
 
 std::string commented(std::string_view header) {
     std::string text;
@@ -89,11 +89,11 @@ struct GcodeWriter::State {
     }
     void axis_word(Axis axis, std::int64_t value) {
         text += ' ';
-        text += axis_letters[axis];
+        text += written_axes[axis];
         append_fixed(text, value, decimals[axis]);
     }
     void axis_words(const PerAxis<std::optional<double>>& values) {
-        for (const Axis axis : axes) optional_word(axis_letters[axis], values[axis]);
+        for (const Axis axis : all_axes) optional_word(written_axes[axis], values[axis]);
     }
     // The command with the words that `add` appends; nothing if it appends none.
     template <class AddWords>
@@ -118,12 +118,12 @@ struct GcodeWriter::State {
 
     static Counts counted(const Position& place) {
         Counts counts;
-        for (const Axis axis : axes) counts[axis] = fixed(place[axis], decimals[axis]);
+        for (const Axis axis : all_axes) counts[axis] = fixed(place[axis], decimals[axis]);
         return counts;
     }
 
     void go(const Counts& to, double speed) {
-        for (const Axis axis : axes)
+        for (const Axis axis : all_axes)
             if (to[axis] != place[axis])
                 axis_word(axis, axis == axis_e && relative_e ? to[axis] - place[axis] : to[axis]);
         place = to;
@@ -146,7 +146,7 @@ struct GcodeWriter::State {
 
     // The centre is told from the start, in whole units of the last decimal like places.
     void write(const Arc& arc) {
-        const PlaneWords& words = planes[std::size_t(arc.plane)];
+        const WrittenPlane& words = written_planes[std::size_t(arc.plane)];
         if (arc.plane != plane) text += words.command;
         plane = arc.plane;
         name(arc.end);
@@ -163,7 +163,7 @@ struct GcodeWriter::State {
     void write(const SetPosition& position) {
         if (position.to == PerAxis<std::optional<double>>{}) return;
         text += "G92";
-        for (const Axis axis : axes) {
+        for (const Axis axis : all_axes) {
             if (!position.to[axis]) continue;
             place[axis] = fixed(*position.to[axis], decimals[axis]);
             axis_word(axis, place[axis]);
@@ -178,7 +178,7 @@ struct GcodeWriter::State {
         for (const Axis axis : {axis_x, axis_y, axis_z}) {
             if (!home.axes[axis]) continue;
             place[axis] = 0;
-            if (!all) text.append(" ").append(1, axis_letters[axis]);
+            if (!all) text.append(" ").append(1, written_axes[axis]);
         }
         text += '\n';
     }

@@ -100,8 +100,8 @@ Region united(const Region& a, const Region& b) { return combined(a, b, cl::ctUn
 Region intersection(const Region& a, const Region& b) { return combined(a, b, cl::ctIntersection); }
 Region difference(const Region& a, const Region& b) { return combined(a, b, cl::ctDifference); }
 
-Region region_of(const std::vector<Polyline>& loops, Winding winding) {
-    const cl::PolyFillType rule = winding == Winding::even_odd ? cl::pftEvenOdd : cl::pftPositive;
+Region region_of(const std::vector<Polyline>& loops, FillRule fill) {
+    const cl::PolyFillType rule = fill == FillRule::even_odd ? cl::pftEvenOdd : cl::pftPositive;
     cl::Clipper clipper;
     clipper.AddPaths(to_paths(loops), cl::ptSubject, true);
     cl::PolyTree tree;

@@ -16,8 +16,8 @@ Region difference(const Region& a, const Region& b);
 
 // How crossing or nested loops make a region: `even_odd` ignores their direction, `positive` keeps
 // what is wound round at least once counter-clockwise.
-enum class Winding { even_odd, positive };
-Region region_of(const std::vector<Polyline>& loops, Winding winding);
+enum class FillRule { even_odd, positive };
+Region region_of(const std::vector<Polyline>& loops, FillRule rule);
 
 // What the region becomes when its boundary moves outwards by `distance` (mm; negative: inwards).
 enum class Corner { miter, round };

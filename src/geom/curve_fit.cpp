@@ -49,7 +49,7 @@ std::array<double, 4> shares(const Nurbs& curve, std::size_t span, double u) {
     return share;
 }
 
-std::size_t span_of(const Nurbs& curve, double u) {
+std::size_t cubic_span(const Nurbs& curve, double u) {
     const auto after = std::upper_bound(curve.knots.begin() + 4, curve.knots.end() - 4, u);
     return static_cast<std::size_t>(after - curve.knots.begin()) - 1;
 }
@@ -62,7 +62,7 @@ bool solve(Nurbs& curve, const Polyline& points, const std::vector<double>& at) 
     std::vector<Eigen::Triplet<double>> products;
     Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(free, 2);
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-        const std::size_t span = span_of(curve, at[i]);
+        const std::size_t span = cubic_span(curve, at[i]);
         const std::array<double, 4> share = shares(curve, span, at[i]);
         const auto column = [&](std::size_t k) {
             return static_cast<Eigen::Index>(span - 3 + k) - 1;

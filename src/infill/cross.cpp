@@ -22,9 +22,9 @@ constexpr Vec2 place{5592405, 3355443};
 const double leg_per_spacing = (4 + std::numbers::sqrt2) / 9 * 2;
 
 // Legs are counted from the place, along the curve's own axes.
-class Curve {
+class CrossCurve {
   public:
-    explicit Curve(const Box2& box) : box_(box) {}
+    explicit CrossCurve(const Box2& box) : box_(box) {}
 
     void visit(Vec2 entry, Vec2 right_angle, Vec2 exit, int level) {
         Box2 box;
@@ -69,7 +69,7 @@ std::vector<Polyline> cross_curve(const Region& region, const FillOptions& optio
     constexpr double reach = 3e6;  // legs
     BEAD_EXPECTS(std::max({-box.low.x, -box.low.y, box.high.x, box.high.y}) < reach);
 
-    Curve curve(box);
+    CrossCurve curve(box);
     curve.visit(Vec2{size, 0} - place, Vec2{0, 0} - place, Vec2{0, size} - place, levels);
     for (Polyline& part : curve.lines)
         for (Vec2& p : part) p = options.centre + rotated(p, turn);

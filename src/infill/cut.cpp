@@ -11,12 +11,12 @@ namespace {
 constexpr double touch = 1e-9;      // mm, cuts this near to an end of an edge or piece count
 constexpr double judgeable = 1e-7;  // mm, shorter bits say nothing about inside or outside
 
-struct Cut {
+struct PieceCut {
     double along = 0;  // 0 … 1 of the piece
     EdgePlace place;
 };
 
-void append_cut(std::vector<Cut>& cuts, Vec2 a, Vec2 b, const Edge& edge) {
+void append_cut(std::vector<PieceCut>& cuts, Vec2 a, Vec2 b, const Edge& edge) {
     const Vec2 piece = b - a, side = edge.b - edge.a;
     const double turn = cross(piece, side);
     if (turn == 0) return;  // what follows the edge is cut by the edges before and after
@@ -30,14 +30,14 @@ void append_cut(std::vector<Cut>& cuts, Vec2 a, Vec2 b, const Edge& edge) {
 }
 
 // Where the edges cut the piece from a to b, in its direction.
-void find_cuts(std::vector<Cut>& cuts, Vec2 a, Vec2 b, const EdgeBands& edges) {
+void find_cuts(std::vector<PieceCut>& cuts, Vec2 a, Vec2 b, const EdgeBands& edges) {
     cuts.clear();
     const Vec2 slack{touch, touch};
     edges.for_each_near(Vec2{std::min(a.x, b.x), std::min(a.y, b.y)} - slack,
                         Vec2{std::max(a.x, b.x), std::max(a.y, b.y)} + slack,
                         [&](const Edge& edge) { append_cut(cuts, a, b, edge); });
     std::sort(cuts.begin(), cuts.end(),
-              [](const Cut& p, const Cut& q) { return p.along < q.along; });
+              [](const PieceCut& p, const PieceCut& q) { return p.along < q.along; });
 }
 
 // Follows one curve and collects what lies inside.
@@ -49,12 +49,12 @@ class Cutter {
         last_ = {};
         inside_ = false;
         unsure_ = true;
-        std::vector<Cut> cuts;
+        std::vector<PieceCut> cuts;
         for (std::size_t i = 1; i < curve.size(); ++i) {
             const Vec2 a = curve[i - 1], b = curve[i];
             find_cuts(cuts, a, b, edges_);
             Vec2 from = a;
-            for (const Cut& cut : cuts) {
+            for (const PieceCut& cut : cuts) {
                 const Vec2 to = lerp(a, b, cut.along);
                 pass(from, to);
                 last_ = cut.place;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double mean_stretch = 1.22937878;  // of the waves, found by integration
 constexpr double mean_phase = 0.48924954;    // rad of height at which it is the mean
-constexpr double sagitta = 0.01;             // mm
+constexpr double gyroid_sagitta = 0.01;             // mm
 
 struct Waves {
     double phase = 0;  // rad of height
@@ -70,7 +70,7 @@ std::vector<Polyline> gyroid(const Region& region, const FillOptions& options) {
     Box2 box;
     for (const Polygon& polygon : region)
         for (const Vec2 p : polygon.outer) box.include(rotated(p - options.centre, back));
-    const double chord = std::sqrt(8 * sagitta / scale);  // rad
+    const double chord = std::sqrt(8 * gyroid_sagitta / scale);  // rad
     const int per_period = 4 * std::max(4, static_cast<int>(std::ceil(pi / (2 * chord))));
     const Waves waves{mean_phase + options.height / scale};
     std::vector<Polyline> lines = waves_over(waves, box, per_period);

@@ -9,13 +9,13 @@
 namespace bead {
 namespace {
 
-constexpr int levels = 24;
+constexpr int halvings = 24;
 constexpr double third = 5592405;  // (2^24 - 1) / 3, in cells from the curve's corner
 
 // Cells are counted from the centre, along the curve's own axes.
-class Curve {
+class HilbertCurve {
   public:
-    explicit Curve(const Box2& box) : box_(box) {}
+    explicit HilbertCurve(const Box2& box) : box_(box) {}
 
     // The square on `first` and `second` that starts at `corner`, entered there and left at
     // corner + first.
@@ -62,9 +62,9 @@ std::vector<Polyline> hilbert(const Region& region, const FillOptions& options) 
     BEAD_EXPECTS(box.low.x > -third && box.low.y > -third && box.high.x < third &&
                  box.high.y < third);
 
-    Curve curve(box);
-    constexpr double size = 1 << levels;
-    curve.visit({-third, -third}, {size, 0}, {0, size}, levels);
+    HilbertCurve curve(box);
+    constexpr double size = 1 << halvings;
+    curve.visit({-third, -third}, {size, 0}, {0, size}, halvings);
     for (Polyline& line : curve.lines)
         for (Vec2& p : line) p = options.centre + rotated(p, turn);
     return cut_and_linked(curve.lines, region, options.link);

@@ -173,12 +173,12 @@ Region read_part(TomlReader& file, const std::string& name, double& thickness) {
         const DataFile text = file_on_disk("outline", beside(name, svg));
         return outline_of_svg(text.text, text.place);
     }
-    return region_of({read_outline(file)}, Winding::even_odd);
+    return region_of({read_outline(file)}, FillRule::even_odd);
 }
 
 void cut_holes(TomlReader& file, LoadCase& result) {
     const auto cut = [&](const Polyline& loop, const std::string& key) {
-        const Region hole = region_of({loop}, Winding::even_odd);
+        const Region hole = region_of({loop}, FillRule::even_odd);
         if (area(intersection(result.part, hole)) < 1e-6) file.refuse(key, "lies outside the part");
         result.part = difference(result.part, hole);
     };

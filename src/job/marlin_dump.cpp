@@ -21,7 +21,7 @@ struct DumpRow {
     std::size_t axis = 0;
 };
 
-constexpr std::array rows{
+constexpr std::array dump_rows{
     DumpRow{"M92", 'X', "steps_per_mm", 0},
     DumpRow{"M92", 'Y', "steps_per_mm", 1},
     DumpRow{"M92", 'Z', "steps_per_mm", 2},
@@ -75,7 +75,7 @@ std::optional<std::string_view> word(std::string_view words, char letter) {
     return words.substr(at + 1, words.find_first_of(" \t\r", at) - at - 1);
 }
 
-std::optional<double> number_in(std::string_view text) {
+std::optional<double> dumped_number(std::string_view text) {
     const Number number = read_number(text.data(), text.data() + text.size(), false);
     if (text.empty() || number.end != text.data() + text.size()) return std::nullopt;
     return number.value;
@@ -84,11 +84,11 @@ std::optional<double> number_in(std::string_view text) {
 void take(Statement& says, const DumpLine& line) {
     const auto tool = word(line.words, 'T');
     if (line.command != "M204" && line.command != "M205" && tool && *tool != "0") return;
-    for (const DumpRow& row : rows) {
+    for (const DumpRow& row : dump_rows) {
         if (row.command != line.command) continue;
         const auto told = word(line.words, row.letter);
         if (!told) continue;
-        const auto value = number_in(*told);
+        const auto value = dumped_number(*told);
         if (value && is_allowed(named_limit(row.limit), *value))
             says.limits.push_back(
                 {row.limit, row.axis, *value, fmt::format("{} ({})", line.place, line.command)});

@@ -107,7 +107,7 @@ Region outline_of_svg(std::string_view text, const std::string& name) {
             if (!(std::abs(p.x) < 1e5 && std::abs(p.y) < 1e5))
                 throw Error(name + ": reaches beyond 100 m; is its unit right?");
         }
-    return region_of(drawing.loops, Winding::even_odd);
+    return region_of(drawing.loops, FillRule::even_odd);
 }
 
 }  // namespace bead

@@ -20,13 +20,13 @@ namespace bead {
 
 namespace {
 
-constexpr std::string_view kind = "printer";
+constexpr std::string_view printer_kind = "printer";
 
 constexpr std::array<std::string_view, 4> kinematics_names{"cartesian", "corexy", "corexz",
                                                            "delta"};
-constexpr Range fraction{.low = 0, .high = 1};
-constexpr Range positive_fraction{.low = 0, .high = 1, .open_low = true};
-constexpr Range celsius{.low = -50, .high = 100};  // of the room or the chamber
+constexpr Range any_share{.low = 0, .high = 1};
+constexpr Range some_share{.low = 0, .high = 1, .open_low = true};
+constexpr Range air_celsius{.low = -50, .high = 100};  // of the room or the chamber
 
 HotEnd read_hotend(TomlReader& file, const HotEnd& h) {
     return {.heater = file.number("power.hotend.heater_w", h.heater, not_negative),
@@ -45,12 +45,12 @@ BedHeater read_bed(TomlReader& file, const BedHeater& b) {
 }
 
 PowerUncertainty read_uncertainty(TomlReader& file, const PowerUncertainty& u) {
-    return {.bed = file.number("power.uncertainty.bed", u.bed, fraction),
-            .hotend = file.number("power.uncertainty.hotend", u.hotend, fraction),
-            .motors = file.number("power.uncertainty.motors", u.motors, fraction),
-            .fans = file.number("power.uncertainty.fans", u.fans, fraction),
-            .electronics = file.number("power.uncertainty.electronics", u.electronics, fraction),
-            .supply = file.number("power.uncertainty.supply", u.supply, fraction)};
+    return {.bed = file.number("power.uncertainty.bed", u.bed, any_share),
+            .hotend = file.number("power.uncertainty.hotend", u.hotend, any_share),
+            .motors = file.number("power.uncertainty.motors", u.motors, any_share),
+            .fans = file.number("power.uncertainty.fans", u.fans, any_share),
+            .electronics = file.number("power.uncertainty.electronics", u.electronics, any_share),
+            .supply = file.number("power.uncertainty.supply", u.supply, any_share)};
 }
 
 PowerModel read_power(TomlReader& file, const Printer& printer) {
@@ -59,8 +59,8 @@ PowerModel read_power(TomlReader& file, const Printer& printer) {
             .part_fan = file.number("power.part_fan_w", p.part_fan, not_negative),
             .hotend_fan = file.number("power.hotend_fan_w", p.hotend_fan, not_negative),
             .supply_efficiency =
-                file.number("power.supply_efficiency", p.supply_efficiency, positive_fraction),
-            .ambient = file.number("power.ambient_c", p.ambient, celsius),
+                file.number("power.supply_efficiency", p.supply_efficiency, some_share),
+            .ambient = file.number("power.ambient_c", p.ambient, air_celsius),
             .grid_co2 = file.number("power.grid_co2_g_per_kwh", p.grid_co2, not_negative),
             .motors = read_motors(file, p.motors),
             .standstill_delay =
@@ -114,7 +114,7 @@ void call_all(Statement& says, const std::string& source) {
 
 PrinterFile read_toml(const std::string& name_or_file, Printer usual) {
     usual.name = std::filesystem::path(name_or_file).stem().string();
-    const DataFile data = data_file(kind, name_or_file);
+    const DataFile data = data_file(printer_kind, name_or_file);
     PrinterFile read = read_printer(data, {usual, {}});
     if (!name_or_file.ends_with(".toml")) call_all(read.says, data.place);
     return read;
@@ -139,9 +139,9 @@ std::string as_toml(std::string_view setting) {
 PrinterFile read_printer_file(const std::string& name_or_file) {
     const Printer usual = read_toml(usual_printer, {}).printer;
     if (name_or_file.ends_with(".cfg"))
-        return read_klipper_config(file_on_disk(kind, name_or_file), usual);
+        return read_klipper_config(file_on_disk(printer_kind, name_or_file), usual);
     if (name_or_file.ends_with(".txt") || name_or_file.ends_with(".log"))
-        return read_marlin_dump(file_on_disk(kind, name_or_file), usual);
+        return read_marlin_dump(file_on_disk(printer_kind, name_or_file), usual);
     return read_toml(name_or_file, usual);
 }
 
@@ -155,6 +155,6 @@ PrinterFile with_setting(const Printer& printer, std::string_view setting) {
     return read;
 }
 
-std::vector<std::string> printer_names() { return data_names(kind); }
+std::vector<std::string> printer_names() { return data_names(printer_kind); }
 
 }  // namespace bead

@@ -22,40 +22,40 @@ enum class Form {
     as_pattern,  // PrusaSlicer's name of a pattern
 };
 
-struct Row {
+struct IniRow {
     std::string_view prusa, setting;
     Form form = Form::plain;
     std::string_view whole = {};  // stands above in the table; none: a percentage cannot be used
     bool zero_is_auto = false;    // 0: PrusaSlicer computes the value
 };
 
-constexpr std::array rows{
-    Row{"layer_height", "layer_height_mm"},
-    Row{"first_layer_height", "first_layer_height_mm", Form::part_of, "layer_height_mm"},
-    Row{"perimeters", "walls"},
-    Row{"top_solid_layers", "top_layers"},
-    Row{"bottom_solid_layers", "bottom_layers"},
-    Row{"fill_density", "density"},
-    Row{"fill_pattern", "pattern", Form::as_pattern},
-    Row{"fill_angle", "angle_deg"},
-    Row{"extrusion_width", "bead_width_mm", Form::part_of, "", true},
-    Row{"first_layer_extrusion_width", "first_layer_width_mm", Form::part_of, "", true},
-    Row{"infill_overlap", "infill_overlap", Form::share_of, "bead_width_mm"},
-    Row{"perimeter_speed", "speed_wall_mm_s", Form::plain, "", true},
-    Row{"external_perimeter_speed", "speed_outer_wall_mm_s", Form::part_of, "speed_wall_mm_s",
+constexpr std::array ini_rows{
+    IniRow{"layer_height", "layer_height_mm"},
+    IniRow{"first_layer_height", "first_layer_height_mm", Form::part_of, "layer_height_mm"},
+    IniRow{"perimeters", "walls"},
+    IniRow{"top_solid_layers", "top_layers"},
+    IniRow{"bottom_solid_layers", "bottom_layers"},
+    IniRow{"fill_density", "density"},
+    IniRow{"fill_pattern", "pattern", Form::as_pattern},
+    IniRow{"fill_angle", "angle_deg"},
+    IniRow{"extrusion_width", "bead_width_mm", Form::part_of, "", true},
+    IniRow{"first_layer_extrusion_width", "first_layer_width_mm", Form::part_of, "", true},
+    IniRow{"infill_overlap", "infill_overlap", Form::share_of, "bead_width_mm"},
+    IniRow{"perimeter_speed", "speed_wall_mm_s", Form::plain, "", true},
+    IniRow{"external_perimeter_speed", "speed_outer_wall_mm_s", Form::part_of, "speed_wall_mm_s",
         true},
-    Row{"infill_speed", "speed_infill_mm_s", Form::plain, "", true},
-    Row{"solid_infill_speed", "speed_skin_mm_s", Form::part_of, "speed_infill_mm_s", true},
-    Row{"top_solid_infill_speed", "speed_top_skin_mm_s", Form::part_of, "speed_skin_mm_s", true},
-    Row{"first_layer_speed", "speed_first_layer_mm_s", Form::part_of, "", true},
-    Row{"travel_speed", "speed_travel_mm_s"},
-    Row{"skirts", "skirt_loops"},
-    Row{"skirt_distance", "skirt_gap_mm"},
-    Row{"retract_length", "retract_length_mm"},
-    Row{"retract_speed", "retract_speed_mm_s"},
-    Row{"retract_before_travel", "retract_before_travel_mm"},
-    Row{"use_relative_e_distances", "relative_e"},
-    Row{"first_layer_acceleration", "first_layer_acceleration_mm_s2"},
+    IniRow{"infill_speed", "speed_infill_mm_s", Form::plain, "", true},
+    IniRow{"solid_infill_speed", "speed_skin_mm_s", Form::part_of, "speed_infill_mm_s", true},
+    IniRow{"top_solid_infill_speed", "speed_top_skin_mm_s", Form::part_of, "speed_skin_mm_s", true},
+    IniRow{"first_layer_speed", "speed_first_layer_mm_s", Form::part_of, "", true},
+    IniRow{"travel_speed", "speed_travel_mm_s"},
+    IniRow{"skirts", "skirt_loops"},
+    IniRow{"skirt_distance", "skirt_gap_mm"},
+    IniRow{"retract_length", "retract_length_mm"},
+    IniRow{"retract_speed", "retract_speed_mm_s"},
+    IniRow{"retract_before_travel", "retract_before_travel_mm"},
+    IniRow{"use_relative_e_distances", "relative_e"},
+    IniRow{"first_layer_acceleration", "first_layer_acceleration_mm_s2"},
 };
 
 // What is here the same pattern under another name, or the same name.
@@ -100,7 +100,7 @@ std::vector<Entry> entries(std::string_view text, const std::string& file) {
     return found;
 }
 
-std::optional<double> number_in(std::string_view text) {
+std::optional<double> ini_number(std::string_view text) {
     double value = 0;
     const char* const end = text.data() + text.size();
     const auto [stop, fault] = std::from_chars(text.data(), end, value);
@@ -114,19 +114,19 @@ struct Translation {
 };
 
 double current(const Settings& settings, std::string_view name) {
-    return number_in(get(settings, name)).value_or(0);
+    return ini_number(get(settings, name)).value_or(0);
 }
 
-Translation translated_part(const Settings& settings, const Row& row, std::string_view text) {
+Translation translated_part(const Settings& settings, const IniRow& row, std::string_view text) {
     if (!text.ends_with('%')) return {std::string(text), ""};
     if (row.whole.empty()) return {"", "a percentage"};
-    const std::optional<double> percent = number_in(trimmed(text.substr(0, text.size() - 1)));
+    const std::optional<double> percent = ini_number(trimmed(text.substr(0, text.size() - 1)));
     if (!percent) return {std::string(text), ""};
     return {fmt::format("{}", *percent / 100 * current(settings, row.whole)), ""};
 }
 
-Translation translated_share(const Settings& settings, const Row& row, std::string_view text) {
-    const std::optional<double> amount = number_in(text);
+Translation translated_share(const Settings& settings, const IniRow& row, std::string_view text) {
+    const std::optional<double> amount = ini_number(text);
     if (!amount) return {std::string(text), ""};
     return {fmt::format("{}", *amount / current(settings, row.whole)), ""};
 }
@@ -137,8 +137,8 @@ Translation translated_pattern(std::string_view text) {
     return {std::string(same->ours), ""};
 }
 
-Translation translated(const Settings& settings, const Row& row, std::string_view text) {
-    if (row.zero_is_auto && number_in(text) == 0.0) return {"", "automatic"};
+Translation translated(const Settings& settings, const IniRow& row, std::string_view text) {
+    if (row.zero_is_auto && ini_number(text) == 0.0) return {"", "automatic"};
     switch (row.form) {
         case Form::part_of:
             return translated_part(settings, row, text);
@@ -153,7 +153,7 @@ Translation translated(const Settings& settings, const Row& row, std::string_vie
 }
 
 // Sets what the row names; returns what to say if the value cannot be used, else nothing.
-std::string apply(Settings& settings, const Row& row, const Entry& entry) {
+std::string apply(Settings& settings, const IniRow& row, const Entry& entry) {
     // Settings of a tool are lists; the first is the first extruder's.
     const std::string_view text = trimmed(entry.value.substr(0, entry.value.find(',')));
     const Translation found = translated(settings, row, text);
@@ -173,7 +173,7 @@ std::vector<std::string> read_prusa_ini(Settings& settings, std::string_view tex
     for (const Entry& entry : all) by_key[entry.key] = &entry;
 
     std::map<std::string_view, std::string> notes;  // "" for what was taken
-    for (const Row& row : rows)
+    for (const IniRow& row : ini_rows)
         if (const auto entry = by_key.find(row.prusa); entry != by_key.end())
             notes[row.prusa] = apply(settings, row, *entry->second);
 

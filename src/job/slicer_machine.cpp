@@ -21,7 +21,7 @@ struct SlicerRow {
 };
 
 // Where two rows lead to one limit, the later one counts.
-constexpr std::array rows{
+constexpr std::array slicer_rows{
     SlicerRow{"machine_max_feedrate", "max_feedrate_mm_s"},
     SlicerRow{"machine_max_speed", "max_feedrate_mm_s"},  // Bambu Studio, OrcaSlicer
     SlicerRow{"machine_max_acceleration", "max_acceleration_mm_s2"},
@@ -57,7 +57,7 @@ class SlicerReading {
 
     Statement read() {
         if (value_of(settings_, "machine_limits_usage") != "ignore")
-            for (const SlicerRow& row : rows) take(row);
+            for (const SlicerRow& row : slicer_rows) take(row);
         says_.firmware = firmware();
         return std::move(says_);
     }

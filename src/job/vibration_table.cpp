@@ -11,21 +11,21 @@
 namespace bead {
 namespace {
 
-constexpr Range positive_fraction{.low = 0, .high = 1, .open_low = true};
+constexpr Range efficiency_range{.low = 0, .high = 1, .open_low = true};
 constexpr Range light_damping{.low = 0, .high = 0.49};  // more and there is no mode to speak of
 constexpr Range mode_frequency{.low = 0, .high = highest_mode, .open_low = true};
 
 constexpr std::array mode_keys{"vibration.frequency_hz", "vibration.damping_ratio"};
 
 using Quantity = double& (*)(DriveAxis&);
-struct Row {
+struct VibrationRow {
     const char* key;
     double unit;  // of the file in SI
     Range range;
     Quantity of;
 };
 
-constexpr Row rows[] = {
+constexpr VibrationRow vibration_rows[] = {
     {"vibration.slave_mass_kg", 1, positive, [](DriveAxis& a) -> double& { return a.slave_mass; }},
     {"vibration.table_mass_kg", 1, positive, [](DriveAxis& a) -> double& { return a.table_mass; }},
     {"vibration.flexure_n_per_mm", 1e3, positive,
@@ -62,7 +62,7 @@ constexpr Row rows[] = {
      [](DriveAxis& a) -> double& { return a.screw.coupling_stiffness; }},
     {"vibration.screw.nut_n_per_um", 1e6, positive,
      [](DriveAxis& a) -> double& { return a.screw.nut_stiffness; }},
-    {"vibration.screw.nut_preload", 1, positive_fraction,
+    {"vibration.screw.nut_preload", 1, efficiency_range,
      [](DriveAxis& a) -> double& { return a.screw.nut_preload; }},
     {"vibration.servo.bandwidth_hz", 1, positive,
      [](DriveAxis& a) -> double& { return a.servo.bandwidth; }},
@@ -78,14 +78,14 @@ constexpr Row rows[] = {
      [](DriveAxis& a) -> double& { return a.servo.resistance; }},
 };
 
-[[noreturn]] void fail(TomlReader& file, std::string_view key, const std::string& what) {
+[[noreturn]] void reject(TomlReader& file, std::string_view key, const std::string& what) {
     const std::string place = file.place_of(key).value_or("[vibration]");
     throw Error(fmt::format("{}: {}: {}", place, key, what),
                 place.starts_with("--") ? Fault::usage : Fault::input);
 }
 
 void read_rows(TomlReader& file, std::array<DriveAxis, 2>& axes) {
-    for (const Row& row : rows) {
+    for (const VibrationRow& row : vibration_rows) {
         std::array<double, 2> values{row.of(axes[0]) / row.unit, row.of(axes[1]) / row.unit};
         if (!file.place_of(row.key)) {
             file.numbers(row.key, values, row.range);  // a key of the file all the same
@@ -108,7 +108,7 @@ void read_screw(TomlReader& file, std::array<DriveAxis, 2>& axes) {
         screw.support = ScrewSupport(support);
         if (known) screw.coupling_at = at[k] * 1e-3;
         if (screw.nut_distance >= screw.length)
-            fail(file, "vibration.screw.nut_distance_mm",
+            reject(file, "vibration.screw.nut_distance_mm",
                  fmt::format("the nut of {} would be beyond its screw of {:g} mm", "XY"[k],
                              screw.length * 1e3));
     }
@@ -136,7 +136,7 @@ void check_modes(TomlReader& file, const std::array<DriveAxis, 2>& axes) {
         if (mode.frequency > 0 && mode.frequency <= highest_mode * (1 + 1e-9) &&
             mode.damping < 0.5 && mode.damping >= 0)
             continue;
-        fail(file, "vibration.flexure_n_per_mm",
+        reject(file, "vibration.flexure_n_per_mm",
              fmt::format(
                  "the first mode of {} would be at {:.1f} Hz with a damping ratio of {:.2f}; "
                  "it must be above 0 and at most {:g} Hz, the ratio below 0.5",
@@ -150,7 +150,7 @@ bool says_anything(TomlReader& file) {
         return place && !place->starts_with("--");
     };
     return said(mode_keys[0]) || said(mode_keys[1]) ||
-           std::ranges::any_of(rows, [&](const Row& row) { return said(row.key); });
+           std::ranges::any_of(vibration_rows, [&](const VibrationRow& row) { return said(row.key); });
 }
 
 }  // namespace
@@ -163,7 +163,7 @@ VibrationModel read_vibration(TomlReader& file, const VibrationModel& base) {
     check_modes(file, model.axes);
     model.base_power = file.number("vibration.base_power_w", model.base_power, not_negative);
     model.melt_efficiency =
-        file.number("vibration.melt_efficiency", model.melt_efficiency, positive_fraction);
+        file.number("vibration.melt_efficiency", model.melt_efficiency, efficiency_range);
     model.material_co2 =
         file.number("vibration.material_co2_kg_per_kg", model.material_co2, not_negative);
     return model;

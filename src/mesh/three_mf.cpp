@@ -16,7 +16,7 @@
 namespace bead {
 namespace {
 
-constexpr std::size_t most_bytes = std::size_t{1} << 30U;  // of XML
+constexpr std::size_t most_xml_bytes = std::size_t{1} << 30U;  // of XML
 constexpr std::size_t most_triangles = 50'000'000;         // after all copies are placed
 constexpr int most_copies = 100'000;                       // placed objects, empty ones too
 constexpr int most_levels = 32;                            // components within components
@@ -83,7 +83,7 @@ class Package {
 };
 
 Package::Package(std::string_view bytes, std::string_view name)
-    : name_(name), files_(unzipped(bytes, name, most_bytes, [](std::string_view path) {
+    : name_(name), files_(unzipped(bytes, name, most_xml_bytes, [](std::string_view path) {
           return path.ends_with(".model") || path == "_rels/.rels";
       })) {
     for (auto& [part, text] : files_) {

@@ -19,7 +19,7 @@ struct Close {
 using Archive = std::unique_ptr<zip_t, Discard>;
 using Entry = std::unique_ptr<zip_file_t, Close>;
 
-Error broken(std::string_view name) {
+Error broken_archive(std::string_view name) {
     return Error(fmt::format(
         "{}: not a complete zip archive (3MF is one); is the download complete?", name));
 }
@@ -28,12 +28,12 @@ Archive opened(std::string_view bytes, std::string_view name) {
     zip_error_t fault;
     zip_error_init(&fault);
     zip_source_t* const source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &fault);
-    if (source == nullptr) throw broken(name);
+    if (source == nullptr) throw broken_archive(name);
     Archive archive(zip_open_from_source(source, ZIP_RDONLY, &fault));
     zip_error_fini(&fault);
     if (!archive) {
         zip_source_free(source);
-        throw broken(name);
+        throw broken_archive(name);
     }
     return archive;
 }
@@ -41,14 +41,14 @@ Archive opened(std::string_view bytes, std::string_view name) {
 // Grows with what really comes out, whatever size the archive claims.
 std::string content(zip_t* archive, zip_uint64_t index, std::string_view name, std::size_t most) {
     const Entry entry(zip_fopen_index(archive, index, 0));
-    if (!entry) throw broken(name);
+    if (!entry) throw broken_archive(name);
     constexpr std::size_t step = std::size_t{1} << 17U;
     std::string text;
     while (true) {
         const std::size_t before = text.size();
         text.resize(before + step);
         const zip_int64_t got = zip_fread(entry.get(), text.data() + before, step);
-        if (got < 0) throw broken(name);
+        if (got < 0) throw broken_archive(name);
         text.resize(before + static_cast<std::size_t>(got));
         if (text.size() > most)
             throw Error(fmt::format("{}: unpacks to more than {} MB; no mesh is that large", name,

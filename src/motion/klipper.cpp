@@ -14,7 +14,7 @@ namespace {
 constexpr double no_way = 1e-9;             // mm, below this nothing moves
 constexpr double no_limit = 99999999.9;     // mm/s², filament alone before its own limits
 constexpr double look_after = 0.25;         // s of moves between two looks at the queue
-constexpr double least_feed = 0.05;         // mm/s; slower is taken as this
+constexpr double slowest_feed = 0.05;         // mm/s; slower is taken as this
 constexpr double most_cruise_ratio = 0.99;  // all cruise would be no speed at all
 
 double max_velocity(const Limits& limits) {
@@ -84,7 +84,7 @@ void KlipperPlanner::move(const Move& move, std::int64_t line) {
     block.length = length(Vec3{block.delta[axis_x], block.delta[axis_y], block.delta[axis_z]});
     block.acceleration = limits_.acceleration;
     queued.head = block.length >= no_way;
-    const double feed = std::max(move.feed, least_feed);
+    const double feed = std::max(move.feed, slowest_feed);
     double speed = std::min(feed, max_velocity(limits_));
     if (!queued.head) {
         for (const Axis i : {axis_x, axis_y, axis_z}) block.delta[i] = 0;

@@ -17,7 +17,7 @@ namespace bead {
 namespace {
 
 constexpr float least_speed = 0.05F;  // mm/s, at which a print begins and ends
-constexpr double least_feed = 0.05;   // mm/s; slower is taken as this
+constexpr double least_marlin_feed = 0.05;   // mm/s; slower is taken as this
 constexpr float halt_preference = 0.99F;
 constexpr float still = 1e-6F;  // mm/s
 constexpr std::int64_t most_of_32_bits = 4294967295;
@@ -142,7 +142,7 @@ MarlinPlanner::Planned MarlinPlanner::measured(const StepMove& taken, double fee
             ? std::abs(p.way[axis_e])
             : std::sqrt(square(p.way[axis_x]) + square(p.way[axis_y]) + square(p.way[axis_z]));
     const float per_length = 1.0F / p.length;
-    double asked = std::max(feed, least_feed);
+    double asked = std::max(feed, least_marlin_feed);
     if (limits_.slowdown) asked = slowed_feed(asked, p.length, queue_.waiting());
     const float per_second = float(asked) * per_length;
     p.nominal = p.length * per_second;

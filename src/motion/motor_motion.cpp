@@ -89,7 +89,7 @@ MotorMotion carriage_motion(const Carriage& carriage, const Block& block) {
     return motion;
 }
 
-bool moves_head(const Block& block) {
+bool head_moves(const Block& block) {
     return block.delta[axis_x] != 0 || block.delta[axis_y] != 0 || block.delta[axis_z] != 0;
 }
 
@@ -106,7 +106,7 @@ PerAxis<MotorMotion> motor_motion(Kinematics kinematics, const Block& block) {
 
 PerAxis<MotorMotion> motor_motion(const Delta& delta, Vec2 from, const Block& block) {
     PerAxis<MotorMotion> motions = even_motions({0, 0, 0, block.delta[axis_e]}, block);
-    if (!moves_head(block)) return motions;
+    if (!head_moves(block)) return motions;
     const Carriages carriages = carriages_of(delta, from, block);
     for (std::size_t i = 0; i < carriages.size(); ++i)
         motions[i] = carriage_motion(carriages[i], block);

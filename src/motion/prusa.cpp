@@ -13,10 +13,10 @@
 namespace bead {
 namespace {
 
-constexpr double least_feed = 0.05;  // mm/s; slower is taken as this
-constexpr double halt_preference =
+constexpr double least_prusa_feed = 0.05;  // mm/s; slower is taken as this
+constexpr double prusa_halt_preference =
     0.99;                       // a halt is taken when it is at most 1 % slower than coasting
-constexpr double still = 1e-4;  // mm/s, below this the machine stands
+constexpr double standing = 1e-4;  // mm/s, below this the machine stands
 
 // Of a number that is not below 0; std::ceil is a call where the processor's own may be missing.
 double rounded_up(double x) {
@@ -101,7 +101,7 @@ void PrusaPlanner::measure(const Move& move, const StepMove& taken, Block& block
         delta[i] = static_cast<double>(taken.steps[i]) * mm_per_step_[i];
     block.length = taken.filament ? std::abs(delta[axis_e])
                                   : length(Vec3{delta[axis_x], delta[axis_y], delta[axis_z]});
-    double feed = std::max(move.feed, least_feed);
+    double feed = std::max(move.feed, least_prusa_feed);
     if (limits_.slowdown) feed = slowed_feed(feed, block.length, queue_.size());
     const double per_mm = feed / block.length;
     double scale = 1;
@@ -162,11 +162,11 @@ double PrusaPlanner::junction_speed(double nominal, const PerAxis<double>& speed
 Junction PrusaPlanner::enter(const Block& block, const PerAxis<double>& speed) {
     const double safe = safe_speed(block.v_nominal, speed);
     const std::int64_t needed = quirks_.second_block_halts ? 2 : 1;
-    bool halt = since_drain_ < needed || previous_.nominal <= still;
+    bool halt = since_drain_ < needed || previous_.nominal <= standing;
     double entry = safe;
     if (!halt) {
         const double junction = junction_speed(block.v_nominal, speed);
-        const double threshold = halt_preference * junction;
+        const double threshold = prusa_halt_preference * junction;
         halt = previous_.safe > threshold && safe > threshold;
         if (!halt) entry = junction;
     }

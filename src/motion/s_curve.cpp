@@ -13,8 +13,8 @@ namespace bead {
 namespace {
 
 constexpr std::size_t usual_window = 2048;  // moves
-constexpr double no_way = 1e-9;             // mm, below this nothing moves
-constexpr double least_feed = 0.05;         // mm/s; slower is taken as this
+constexpr double least_way = 1e-9;             // mm, below this nothing moves
+constexpr double least_asked_feed = 0.05;         // mm/s; slower is taken as this
 
 enum class Trend { up, level, down };
 Trend trend_of(const JerkPhase& phase) {
@@ -76,7 +76,7 @@ void SCurvePlanner::move(const Move& move, std::int64_t line) {
     Queued queued;
     measure(move, queued);
     place_ = move.to;
-    if (queued.block().length < no_way) return;
+    if (queued.block().length < least_way) return;
     queued.block().line = line;
     queued.block().role = move.role;
     queued.block().bead = move.bead;
@@ -91,13 +91,13 @@ void SCurvePlanner::measure(const Move& move, Queued& queued) const {
     for (std::size_t i = 0; i < place_.size(); ++i) block.delta[i] = move.to[i] - place_[i];
     const PerAxis<double>& delta = block.delta;
     block.length = length(Vec3{delta[axis_x], delta[axis_y], delta[axis_z]});
-    queued.head = block.length >= no_way;
+    queued.head = block.length >= least_way;
     if (!queued.head) {
         block.delta = {0, 0, 0, delta[axis_e]};
         block.length = std::abs(delta[axis_e]);
-        if (block.length < no_way) return;
+        if (block.length < least_way) return;
     }
-    block.v_nominal = std::max(move.feed, least_feed);
+    block.v_nominal = std::max(move.feed, least_asked_feed);
     block.acceleration = !queued.head         ? limits_.retract_acceleration
                          : delta[axis_e] != 0 ? limits_.acceleration
                                               : limits_.travel_acceleration;

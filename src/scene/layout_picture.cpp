@@ -10,18 +10,18 @@ namespace bead {
 namespace {
 
 // Pixels.
-constexpr double page_width = 1200, margin = 28, title_height = 40, caption_height = 28,
+constexpr double layout_width = 1200, layout_margin = 28, layout_title = 40, layout_caption = 28,
                  key_height = 44;
 constexpr double tallest = 1000;
-constexpr double rim = 0.15;  // of the bead's width, left between beads that touch
+constexpr double layout_rim = 0.15;  // of the bead's width, left between beads that touch
 
-struct Page {
+struct LayoutPage {
     Box2 box;
     double scale = 1;
-    [[nodiscard]] double bottom() const { return margin + title_height + scale * box.size().y; }
+    [[nodiscard]] double bottom() const { return layout_margin + layout_title + scale * box.size().y; }
     // SVG counts y downwards.
     [[nodiscard]] std::string frame() const {
-        return fmt::format("translate({} {}) scale({})", decimal(margin - scale * box.low.x),
+        return fmt::format("translate({} {}) scale({})", decimal(layout_margin - scale * box.low.x),
                            decimal(bottom() + scale * box.low.y), decimal(scale));
     }
 };
@@ -49,7 +49,7 @@ std::string beads(const PicturedLines& group, double width) {
     return fmt::format(
         "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"round\" "
         "stroke-linejoin=\"round\"/>\n",
-        data, group.ink, decimal((1 - rim) * width));
+        data, group.ink, decimal((1 - layout_rim) * width));
 }
 
 std::string words(double x, double y, int size, std::string_view text) {
@@ -60,7 +60,7 @@ std::string words(double x, double y, int size, std::string_view text) {
 std::string key(const std::vector<PicturedLines>& groups, double y) {
     constexpr double letter = 7.5, gap = 56;
     std::string svg;
-    double x = margin;
+    double x = layout_margin;
     for (const PicturedLines& group : groups) {
         if (group.lines.empty()) continue;
         svg += fmt::format(
@@ -76,23 +76,23 @@ std::string key(const std::vector<PicturedLines>& groups, double y) {
 }  // namespace
 
 std::string layout_picture(const LayoutPicture& picture) {
-    Page page{bounds(picture.part), 1};
+    LayoutPage page{bounds(picture.part), 1};
     const Vec2 size = page.box.size();
-    page.scale = std::min((page_width - 2 * margin) / size.x, tallest / size.y);
+    page.scale = std::min((layout_width - 2 * layout_margin) / size.x, tallest / size.y);
     const double below = page.bottom();
-    const double height = below + caption_height + key_height;
+    const double height = below + layout_caption + key_height;
     std::string svg = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
         "height=\"{1}\" font-family=\"sans-serif\">\n<rect width=\"{0}\" height=\"{1}\" "
         "fill=\"#ffffff\"/>\n",
-        decimal(page_width), decimal(height));
-    svg += words(margin, margin + 8, 18, picture.title);
+        decimal(layout_width), decimal(height));
+    svg += words(layout_margin, layout_margin + 8, 18, picture.title);
     svg += fmt::format("<g transform=\"{}\">\n", page.frame());
     svg += outline(picture.part);
     for (const PicturedLines& group : picture.groups) svg += beads(group, picture.bead_width);
     svg += "</g>\n";
-    svg += words(margin, below + 22, 14, picture.caption);
-    svg += key(picture.groups, below + caption_height + 22);
+    svg += words(layout_margin, below + 22, 14, picture.caption);
+    svg += key(picture.groups, below + layout_caption + 22);
     return svg + "</svg>\n";
 }
 

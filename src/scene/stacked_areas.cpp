@@ -12,18 +12,18 @@ namespace bead {
 namespace {
 
 // Pixels.
-constexpr double page_width = 1000, page_height = 430;
-constexpr double left = 70, right = 975, top = 84, bottom = 352;
+constexpr double stack_width = 1000, page_height = 430;
+constexpr double stack_left = 70, right = 975, stack_top = 84, bottom = 352;
 
-constexpr std::string_view ink = "#1f2933", faint_ink = "#5b6670", grid_ink = "#e4e0d8";
+constexpr std::string_view stack_ink = "#1f2933", stack_faint_ink = "#5b6670", grid_ink = "#e4e0d8";
 
 // What is drawn: 0 … `highest` over 0 … `lasting` s.
 struct Scales {
     double highest = 1, lasting = 1;
     [[nodiscard]] double x(double seconds) const {
-        return left + (right - left) * seconds / lasting;
+        return stack_left + (right - stack_left) * seconds / lasting;
     }
-    [[nodiscard]] double y(double value) const { return bottom - (bottom - top) * value / highest; }
+    [[nodiscard]] double y(double value) const { return bottom - (bottom - stack_top) * value / highest; }
 };
 
 std::string words(double x, double y, std::string_view text, std::string_view looks) {
@@ -66,9 +66,9 @@ std::string grid(const Scales& scales, std::string_view unit) {
     std::string svg;
     const double step = round_step(scales.highest, 6);
     for (double value = 0; value <= scales.highest * 1.0001; value += step) {
-        svg += fmt::format("<path d=\"M{} {}H{}\" stroke=\"{}\"/>\n", decimal(left),
+        svg += fmt::format("<path d=\"M{} {}H{}\" stroke=\"{}\"/>\n", decimal(stack_left),
                            decimal(scales.y(value)), decimal(right), grid_ink);
-        svg += words(left - 8, scales.y(value) + 4, fmt::format("{:g} {}", value, unit),
+        svg += words(stack_left - 8, scales.y(value) + 4, fmt::format("{:g} {}", value, unit),
                      "text-anchor=\"end\"");
     }
     const double tick = clock_step(scales.lasting);
@@ -100,7 +100,7 @@ std::string bands(const StackedAreas& areas, const Scales& scales) {
     for (const Band& band : areas.bands) {
         for (std::size_t i = 0; i < above.size(); ++i) above[i] += band.values[i];
         svg += fmt::format("<path d=\"{}\" fill=\"{}\"/>\n", area(below, above, scales, areas.step),
-                           band.ink);
+                           band.stack_ink);
         below = above;
     }
     return svg;
@@ -109,10 +109,10 @@ std::string bands(const StackedAreas& areas, const Scales& scales) {
 // The highest band first, as they lie.
 std::string legend(const StackedAreas& areas) {
     std::string svg;
-    double x = left;
+    double x = stack_left;
     for (auto band = areas.bands.rbegin(); band != areas.bands.rend(); ++band) {
         svg += fmt::format("<rect x=\"{}\" y=\"54\" width=\"14\" height=\"14\" fill=\"{}\"/>\n",
-                           decimal(x), band->ink);
+                           decimal(x), band->stack_ink);
         svg += words(x + 20, 66, band->name, "");
         x += 44 + 7.2 * static_cast<double>(band->name.size());
     }
@@ -130,10 +130,10 @@ std::string stacked_areas_svg(const StackedAreas& areas) {
                "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
                "height=\"{1}\" font-family=\"system-ui, sans-serif\" font-size=\"13\" "
                "fill=\"{2}\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
-               decimal(page_width), decimal(page_height), faint_ink) +
-           words(left, 36, areas.title, fmt::format("font-size=\"18\" fill=\"{}\"", ink)) +
+               decimal(stack_width), decimal(page_height), stack_faint_ink) +
+           words(stack_left, 36, areas.title, fmt::format("font-size=\"18\" fill=\"{}\"", stack_ink)) +
            legend(areas) + grid(scales, areas.unit) + bands(areas, scales) +
-           words(left, page_height - 20, areas.caption, "") + "</svg>\n";
+           words(stack_left, page_height - 20, areas.caption, "") + "</svg>\n";
 }
 
 }  // namespace bead

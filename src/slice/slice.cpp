@@ -56,10 +56,10 @@ std::vector<Polyline> reversed(std::vector<Polyline> loops) {
 // empty, and a shell that is inside out is solid nonetheless. The sum of the loops' areas tells
 // when nothing overlaps and nothing is inside out, which is usual.
 Region enclosed(const std::vector<Polyline>& loops) {
-    Region solid = region_of(loops, Winding::positive);
+    Region solid = region_of(loops, FillRule::positive);
     constexpr double rounding = 1e-3;  // mm²; far below what a bead covers
     if (std::abs(area(solid) - turned_area(loops)) < rounding) return solid;
-    const Region inside_out = region_of(reversed(loops), Winding::positive);
+    const Region inside_out = region_of(reversed(loops), FillRule::positive);
     return inside_out.empty() ? solid : united(solid, inside_out);
 }
 

@@ -66,7 +66,7 @@ Region engine_block(int height_percent) {
     if (height_percent == 15)
         for (const double side : {-80.5, 80.5})
             holes.push_back(box(centre + Vec2{side, 0}, 3.2, 120));
-    return difference({{rounded_square(), {}}}, region_of(holes, Winding::positive));
+    return difference({{rounded_square(), {}}}, region_of(holes, FillRule::positive));
 }
 
 }  // namespace bead

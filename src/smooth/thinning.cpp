@@ -27,7 +27,7 @@ Region inside_outer_walls(const Strokes& strokes) {
     for (const Stroke& stroke : strokes.strokes)
         if (stroke.path.role == Role::outer_wall && is_loop(stroke.path))
             outlines.push_back(loop_of(stroke.path));
-    return region_of(outlines, Winding::even_odd);
+    return region_of(outlines, FillRule::even_odd);
 }
 
 // The strokes that may go: all of the sparse infill, or none if it is not all loops of one bead.

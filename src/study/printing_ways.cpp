@@ -67,7 +67,7 @@ Region with_curves(const Region& section) {
         add(polygon.outer);
         std::ranges::for_each(polygon.holes, add);
     }
-    return region_of(loops, Winding::positive);
+    return region_of(loops, FillRule::positive);
 }
 
 Toolpath naive_section(const Region& section, const SectionOptions& options) {

@@ -10,7 +10,7 @@ namespace {
 constexpr double mm = 1e-3;           // m
 constexpr double nut_grid = 0.02;     // m between two stages of a screw whose stiffness changes
 constexpr double nearest_nut = 0.05;  // of the screw's length, to either end
-constexpr std::size_t motor = 4, table = 3;
+constexpr std::size_t motor_place = 4, table = 3;
 
 using Complex = std::complex<double>;
 
@@ -22,8 +22,8 @@ std::array<std::vector<double>, 4> seen_rows(const ClosedLoop& loop) {
     rows[0][table] = 1;
     const auto acceleration = loop.matrix.begin() + std::ptrdiff_t((drive_order + table) * n);
     std::copy_n(acceleration, n, rows[1].begin());
-    rows[2][motor] = 1;
-    rows[3][drive_order + motor] = 1;
+    rows[2][motor_place] = 1;
+    rows[3][drive_order + motor_place] = 1;
     return rows;
 }
 

@@ -7,7 +7,7 @@
 namespace bead {
 namespace {
 
-constexpr double no_way = 1e-7;  // mm
+constexpr double least_way = 1e-7;  // mm
 
 }  // namespace
 
@@ -37,7 +37,7 @@ void PrintMotion::stand(double time) {
 void PrintMotion::add(const Block& block) {
     const Vec2 way{block.delta[axis_x], block.delta[axis_y]};
     const double flat = length(way), share = block.length > 0 ? flat / block.length : 0;
-    if (flat < no_way) {
+    if (flat < least_way) {
         stand(duration(block));
         return;
     }

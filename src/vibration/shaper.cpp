@@ -63,16 +63,16 @@ Pulses three_hump_ei(const Mode& m) {
             {first * std::pow(k, 4), 2 * m.period}};
 }
 
-struct Row {
+struct NamedShaper {
     ShaperKind kind;
     Pulses (*make)(const Mode&);
 };
-constexpr std::array rows{Row{ShaperKind::zv, zv},
-                          Row{ShaperKind::mzv, mzv},
-                          Row{ShaperKind::zvd, zvd},
-                          Row{ShaperKind::ei, ei},
-                          Row{ShaperKind::two_hump_ei, two_hump_ei},
-                          Row{ShaperKind::three_hump_ei, three_hump_ei}};
+constexpr std::array named_shapers{NamedShaper{ShaperKind::zv, zv},
+                          NamedShaper{ShaperKind::mzv, mzv},
+                          NamedShaper{ShaperKind::zvd, zvd},
+                          NamedShaper{ShaperKind::ei, ei},
+                          NamedShaper{ShaperKind::two_hump_ei, two_hump_ei},
+                          NamedShaper{ShaperKind::three_hump_ei, three_hump_ei}};
 
 void normalise(Pulses& pulses) {
     double sum = 0, moment = 0;
@@ -92,7 +92,7 @@ std::vector<Pulse> shaper(ShaperKind kind, double frequency, double damping) {
     BEAD_EXPECTS(frequency > 0 && damping >= 0 && damping < 1);
     const double root = std::sqrt(1 - damping * damping);
     const Mode mode{1 / (frequency * root), std::exp(-damping * pi / root)};
-    Pulses pulses = std::ranges::find(rows, kind, &Row::kind)->make(mode);
+    Pulses pulses = std::ranges::find(named_shapers, kind, &NamedShaper::kind)->make(mode);
     normalise(pulses);
     return pulses;
 }

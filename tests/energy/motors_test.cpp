@@ -12,7 +12,7 @@ namespace {
 
 using namespace test;
 
-Motor any_motor() {
+Motor some_motor() {
     return {.standing = number_between(0, 3),
             .per_speed = number_between(0, 0.1),
             .friction = number_between(0, 20),
@@ -36,7 +36,7 @@ TEST(MotorDraw, WithFrictionThatBrakesByItselfIsFrictionTimesDistance) {
 }
 
 RC_GTEST_PROP(MotorDraw, AgreesWithSmallSteps, ()) {
-    const std::array<Motor, 4> motors{any_motor(), any_motor(), any_motor(), any_motor()};
+    const std::array<Motor, 4> motors{some_motor(), some_motor(), some_motor(), some_motor()};
     const Block block = any_block();
     const int steps = 5000;
     const TwinDraw twin = motors_by_steps(motors, block, steps);
@@ -49,8 +49,8 @@ RC_GTEST_PROP(MotorDraw, AgreesWithSmallSteps, ()) {
 }
 
 RC_GTEST_PROP(MotorDraw, ExchangesWithTheAxes, ()) {
-    const Motor motor = any_motor();
-    const std::array<Motor, 4> motors{motor, motor, any_motor(), any_motor()};
+    const Motor motor = some_motor();
+    const std::array<Motor, 4> motors{motor, motor, some_motor(), some_motor()};
     const Block block = any_block();
     Block turned = block;
     std::swap(turned.delta[axis_x], turned.delta[axis_y]);
@@ -87,7 +87,7 @@ double core_by_steps(const std::array<Motor, 4>& motors, const Block& b, int ste
 }
 
 RC_GTEST_PROP(CoreDraw, AgreesWithSmallSteps, ()) {
-    const std::array<Motor, 4> motors{any_motor(), any_motor(), any_motor(), any_motor()};
+    const std::array<Motor, 4> motors{some_motor(), some_motor(), some_motor(), some_motor()};
     const Block block = any_block();
     const double twin = core_by_steps(motors, block, 3000);
     RC_ASSERT(std::abs(xy_part(motor_draw(motors, block, Kinematics::corexy), Kinematics::corexy) -
@@ -95,7 +95,7 @@ RC_GTEST_PROP(CoreDraw, AgreesWithSmallSteps, ()) {
 }
 
 RC_GTEST_PROP(CoreDraw, TurnedByAnEighthIsCartesianWithFasterMotors, ()) {
-    Motor motor = any_motor();
+    Motor motor = some_motor();
     motor.friction = 0;  // rails stay where they are
     const std::array<Motor, 4> core{motor, motor, {}, {}};
     std::array<Motor, 4> cartesian = core;
@@ -111,7 +111,7 @@ RC_GTEST_PROP(CoreDraw, TurnedByAnEighthIsCartesianWithFasterMotors, ()) {
 }
 
 RC_GTEST_PROP(CoreDraw, AlongXTakesTheSameWorkAsOneMotorAndLosesOfTwo, ()) {
-    Motor motor = any_motor();
+    Motor motor = some_motor();
     const std::array<Motor, 4> motors{motor, motor, {}, {}};
     Block block = any_block();
     block.delta[axis_y] = 0;
@@ -135,7 +135,7 @@ TEST(CoreDraw, OfADiagonalIsThatOfOneMotorAlone) {
 }
 
 RC_GTEST_PROP(CoreDraw, InXZIsThatInXYWithYAndZExchanged, ()) {
-    const std::array<Motor, 4> motors{any_motor(), any_motor(), any_motor(), any_motor()};
+    const std::array<Motor, 4> motors{some_motor(), some_motor(), some_motor(), some_motor()};
     const Block block = any_block();
     std::array<Motor, 4> exchanged = motors;
     Block lying = block;

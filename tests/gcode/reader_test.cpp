@@ -7,7 +7,7 @@
 namespace bead {
 namespace {
 
-const double none = -1;  // in the place of a value that is not there
+const double no_word = -1;  // in the place of a value that is not there
 
 TEST(Reader, keeps_the_whole_place_between_moves) {
     const auto moves = reading_of("G1 X1 Y2 F600\nG1 Z3\nG0 E4 F1200\nG1 X5\n").all<Move>();
@@ -59,9 +59,9 @@ TEST(Reader, renames_the_place_by_g92) {
     EXPECT_EQ(moves[1].to, (Position{2, 20, 0, 1}));
     EXPECT_EQ(moves[2].to, (Position{0, 1, 0, 0}));
     const auto positions = reading.all<SetPosition>();
-    EXPECT_EQ(positions[0].to[axis_x].value_or(none), 1);
+    EXPECT_EQ(positions[0].to[axis_x].value_or(no_word), 1);
     EXPECT_FALSE(positions[0].to[axis_y]);
-    for (const auto& axis : positions[1].to) EXPECT_EQ(axis.value_or(none), 0);
+    for (const auto& axis : positions[1].to) EXPECT_EQ(axis.value_or(no_word), 0);
 }
 
 TEST(Reader, scales_inches) {
@@ -108,16 +108,16 @@ TEST(Reader, takes_limits_from_the_file) {
                             Firmware::marlin_jerk)
                             .all<SetLimits>();
     ASSERT_EQ(limits.size(), 6U);
-    EXPECT_EQ(limits[0].max_acceleration[axis_x].value_or(none), 900);
+    EXPECT_EQ(limits[0].max_acceleration[axis_x].value_or(no_word), 900);
     EXPECT_FALSE(limits[0].max_acceleration[axis_y] || limits[0].acceleration);
-    EXPECT_EQ(limits[1].max_feedrate[axis_z].value_or(none), 12);
-    EXPECT_EQ(limits[2].jerk[axis_x].value_or(none), 8);
-    EXPECT_EQ(limits[2].jerk[axis_y].value_or(none), 0);
-    EXPECT_EQ(limits[3].retract_acceleration.value_or(none), 700);
-    EXPECT_EQ(limits[4].acceleration.value_or(none), 500);
-    EXPECT_EQ(limits[4].travel_acceleration.value_or(none), 500);
+    EXPECT_EQ(limits[1].max_feedrate[axis_z].value_or(no_word), 12);
+    EXPECT_EQ(limits[2].jerk[axis_x].value_or(no_word), 8);
+    EXPECT_EQ(limits[2].jerk[axis_y].value_or(no_word), 0);
+    EXPECT_EQ(limits[3].retract_acceleration.value_or(no_word), 700);
+    EXPECT_EQ(limits[4].acceleration.value_or(no_word), 500);
+    EXPECT_EQ(limits[4].travel_acceleration.value_or(no_word), 500);
     EXPECT_FALSE(limits[4].retract_acceleration);
-    EXPECT_EQ(limits[5].travel_acceleration.value_or(none), 400);
+    EXPECT_EQ(limits[5].travel_acceleration.value_or(no_word), 400);
 }
 
 TEST(Reader, counts_what_it_passes_over) {

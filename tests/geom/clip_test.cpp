@@ -32,8 +32,8 @@ TEST(Clip, a_round_offset_adds_what_steiner_says) {
 
 TEST(Clip, winding_rules_differ_on_loops_that_overlap) {
     const std::vector<Polyline> loops{test::square(10)[0].outer, test::square(4)[0].outer};
-    EXPECT_NEAR(area(region_of(loops, Winding::even_odd)), 100 - 16, 1e-6);
-    EXPECT_NEAR(area(region_of(loops, Winding::positive)), 100, 1e-6);
+    EXPECT_NEAR(area(region_of(loops, FillRule::even_odd)), 100 - 16, 1e-6);
+    EXPECT_NEAR(area(region_of(loops, FillRule::positive)), 100, 1e-6);
 }
 
 TEST(Clip, opening_removes_what_is_narrow) {

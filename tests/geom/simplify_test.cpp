@@ -8,7 +8,7 @@
 namespace bead {
 namespace {
 
-double line_distance(const Polyline& line, Vec2 p) {
+double straight_distance(const Polyline& line, Vec2 p) {
     double nearest = distance(line[0], p);
     for (std::size_t i = 1; i < line.size(); ++i) {
         const Vec2 along = line[i] - line[i - 1];
@@ -48,7 +48,7 @@ RC_GTEST_PROP(Simplify, no_point_strays_farther_than_the_tolerance, (unsigned se
     const Polyline fewer = simplified(line, tolerance);
     RC_ASSERT(fewer.front() == line.front());
     RC_ASSERT(fewer.back() == line.back());
-    for (const Vec2 p : line) RC_ASSERT(line_distance(fewer, p) <= tolerance + 1e-12);
+    for (const Vec2 p : line) RC_ASSERT(straight_distance(fewer, p) <= tolerance + 1e-12);
 }
 
 RC_GTEST_PROP(Simplify, what_is_kept_are_points_of_the_line_in_order, (unsigned seed)) {

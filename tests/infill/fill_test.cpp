@@ -16,7 +16,7 @@ namespace {
 
 using test::RandomRegions;
 
-double total(const std::vector<Polyline>& lines) {
+double total_length(const std::vector<Polyline>& lines) {
     double sum = 0;
     for (const Polyline& line : lines) sum += length(line);
     return sum;
@@ -52,7 +52,7 @@ TEST(Fill, lays_one_line_per_spacing) {
             const double extra = is_concentric(pattern) ? perimeter(square) / 2 : 0;
             const double expected = area(square) / spacing + extra;
             const FillOptions options{.spacing = spacing, .angle = 0.3, .link = 0};
-            EXPECT_NEAR(total(pattern.make(square, options)) / expected, 1, 0.01)
+            EXPECT_NEAR(total_length(pattern.make(square, options)) / expected, 1, 0.01)
                 << pattern.name << ' ' << spacing;
         }
 }
@@ -61,7 +61,7 @@ TEST(Fill, changes_little_when_the_spacing_changes_little) {
     const Region region = difference(test::ell(80, 35), test::disc({15, 15}, 8));
     for (const NamedPattern& pattern : patterns) {
         const auto amount = [&](double spacing) {
-            return spacing * total(pattern.make(region, {.spacing = spacing, .angle = 0.4}));
+            return spacing * total_length(pattern.make(region, {.spacing = spacing, .angle = 0.4}));
         };
         for (double spacing = 1; spacing < 3; spacing += 0.23)
             EXPECT_NEAR(amount(spacing * 1.001) / amount(spacing), 1, 0.03)
@@ -111,8 +111,8 @@ RC_GTEST_PROP(Fill, turns_and_moves_with_the_part, (unsigned seed)) {
     there.angle += angle;
     there.centre = moved(Polyline{options.centre}, angle, about, shift)[0];
     for (const NamedPattern& pattern : patterns) {
-        const double here_length = total(pattern.make(region, options));
-        const double there_length = total(pattern.make(moved(region, angle, about, shift), there));
+        const double here_length = total_length(pattern.make(region, options));
+        const double there_length = total_length(pattern.make(moved(region, angle, about, shift), there));
         const double slack =
             is_concentric(pattern) ? 0.02 * here_length + 2 * options.spacing : 0.01;
         RC_ASSERT(std::abs(here_length - there_length) <= slack);
@@ -131,8 +131,8 @@ RC_GTEST_PROP(Fill, does_not_depend_on_the_region, (unsigned seed)) {
     for (const NamedPattern& pattern : patterns) {
         if (is_concentric(pattern)) continue;
         const std::vector<Polyline> around = pattern.make(plate, options);
-        const double expected = total(inside_parts(around, region));
-        RC_ASSERT(std::abs(total(pattern.make(region, options)) - expected) < 0.02);
+        const double expected = total_length(inside_parts(around, region));
+        RC_ASSERT(std::abs(total_length(pattern.make(region, options)) - expected) < 0.02);
     }
 }
 
@@ -150,7 +150,7 @@ RC_GTEST_PROP(Fill, links_join_lines_along_the_edge, (unsigned seed)) {
         const auto joined = pattern.make(region, options);
         RC_ASSERT(some.size() <= loose.size());
         RC_ASSERT(joined.size() <= loose.size());
-        const double added = total(some) - total(loose), most = total(joined) - total(loose);
+        const double added = total_length(some) - total_length(loose), most = total_length(joined) - total_length(loose);
         const auto links = static_cast<double>(loose.size() - some.size());
         RC_ASSERT(added >= -1e-6);
         RC_ASSERT(added <= links * 2 * options.spacing + 1e-6);

@@ -10,7 +10,7 @@
 namespace bead {
 namespace {
 
-double total(const std::vector<Polyline>& lines) {
+double lattice_length(const std::vector<Polyline>& lines) {
     double sum = 0;
     for (const Polyline& line : lines) sum += length(line);
     return sum;
@@ -119,7 +119,7 @@ TEST(Gyroid, lays_its_share_over_all_heights_and_never_far_from_it) {
     for (int i = 0; i < heights; ++i) {
         FillOptions options = plain(spacing);
         options.height = period * i / heights;
-        const double share = total(gyroid(square, options)) * spacing / area(square);
+        const double share = lattice_length(gyroid(square, options)) * spacing / area(square);
         EXPECT_GT(share, 0.93);
         EXPECT_LT(share, 1.25);
         sum += share;

@@ -15,7 +15,7 @@ namespace {
 using test::complaint_of;
 using test::says;
 
-PrinterFile read(const std::string& text) { return read_marlin_dump({"dump.txt", text}, {}); }
+PrinterFile read_dump(const std::string& text) { return read_marlin_dump({"dump.txt", text}, {}); }
 
 const std::vector<std::string> dump{"G21    ; Units in mm (mm)",
                                     "; Steps per unit:",
@@ -47,7 +47,7 @@ void expect_dump(const Limits& l) {
 
 TEST(MarlinDump, IsReadWhateverStandsBeforeItsLines) {
     for (const char* before : {"", "echo:  ", "echo:; ", "Recv: echo: ", "; ", "\t"}) {
-        const PrinterFile file = read(joined(dump, before));
+        const PrinterFile file = read_dump(joined(dump, before));
         expect_dump(file.printer.limits);
         EXPECT_FALSE(file.says.firmware) << "X Y Z jerk may be Marlin's or Prusa's";
         EXPECT_EQ(file.says.limits.front().source, "dump.txt:3 (M92)");
@@ -55,7 +55,7 @@ TEST(MarlinDump, IsReadWhateverStandsBeforeItsLines) {
 }
 
 TEST(MarlinDump, WithJunctionDeviationIsMarlins) {
-    const PrinterFile file = read("echo:  M205 B20000.00 S0.00 T0.00 J0.08 E5.00\n");
+    const PrinterFile file = read_dump("echo:  M205 B20000.00 S0.00 T0.00 J0.08 E5.00\n");
     EXPECT_EQ(file.printer.limits.junction_deviation, 0.08);
     EXPECT_EQ(file.printer.limits.jerk[3], 5);
     EXPECT_EQ(file.says.firmware->firmware, Firmware::marlin_jd);
@@ -63,7 +63,7 @@ TEST(MarlinDump, WithJunctionDeviationIsMarlins) {
 
 TEST(MarlinDump, OfOldFirmwareSharesValues) {
     const Limits l =
-        read("M204 S3000.00\nM205 S0.00 T0.00 B20000 X20.00 Z0.40 E6.00\n").printer.limits;
+        read_dump("M204 S3000.00\nM205 S0.00 T0.00 B20000 X20.00 Z0.40 E6.00\n").printer.limits;
     EXPECT_EQ(l.acceleration, 3000);
     EXPECT_EQ(l.travel_acceleration, 3000);
     EXPECT_EQ(l.jerk[0], 20);
@@ -71,13 +71,13 @@ TEST(MarlinDump, OfOldFirmwareSharesValues) {
 }
 
 TEST(MarlinDump, OfSeveralExtrudersCountsTheFirst) {
-    EXPECT_EQ(read("M92 T0 E93\nM92 T1 E409\n").printer.limits.steps_per_mm[3], 93);
+    EXPECT_EQ(read_dump("M92 T0 E93\nM92 T1 E409\n").printer.limits.steps_per_mm[3], 93);
 }
 
 TEST(MarlinDump, PassesOverWhatIsNoLimitAndSaysSo) {
     for (const std::string value :
          {"0", "0.00", "-5", "nan", "1e9", "", "5x", "99999999999999999999"}) {
-        const PrinterFile file = read("M92 X80\nM203 X" + value + " Y7\n");
+        const PrinterFile file = read_dump("M92 X80\nM203 X" + value + " Y7\n");
         EXPECT_EQ(file.printer.limits.max_feedrate[0], Limits{}.max_feedrate[0]) << value;
         EXPECT_EQ(file.printer.limits.max_feedrate[1], 7);
         ASSERT_EQ(file.says.warnings.size(), 1U) << value;
@@ -87,14 +87,14 @@ TEST(MarlinDump, PassesOverWhatIsNoLimitAndSaysSo) {
 
 TEST(MarlinDump, ThatIsNoneIsRefused) {
     for (const std::string text : {"", "M503\nok\n", "G1 X5\n", "M92\n", "M203 X0\n"})
-        EXPECT_TRUE(says(complaint_of([&] { read(text); }), "M503")) << text;
-    EXPECT_TRUE(says(complaint_of([&] { read("echo:  G20 ; inches\nM92 X80\n"); }), "dump.txt:1"));
+        EXPECT_TRUE(says(complaint_of([&] { read_dump(text); }), "M503")) << text;
+    EXPECT_TRUE(says(complaint_of([&] { read_dump("echo:  G20 ; inches\nM92 X80\n"); }), "dump.txt:1"));
 }
 
 RC_GTEST_PROP(MarlinDump, order_of_lines_does_not_matter, ()) {
     std::vector<std::string> lines = dump;
     std::shuffle(lines.begin(), lines.end(), std::mt19937(*rc::gen::arbitrary<unsigned>()));
-    expect_dump(read(joined(lines)).printer.limits);
+    expect_dump(read_dump(joined(lines)).printer.limits);
 }
 
 }  // namespace

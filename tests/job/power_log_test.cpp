@@ -13,7 +13,7 @@ std::string seconds(int count) {
     return text;
 }
 
-std::string fault_of(const std::string& text) {
+std::string log_fault(const std::string& text) {
     try {
         parsed_power_log(text, "plug.csv");
     } catch (const Error& error) {
@@ -77,7 +77,7 @@ TEST(PowerLog, NamesWhatIsWrongAndWhere) {
         {seconds(12) + "40\n", "1 columns"},
     };
     for (const auto& fault : faults) {
-        const std::string message = fault_of(fault.text);
+        const std::string message = log_fault(fault.text);
         EXPECT_NE(message.find(fault.words), std::string::npos) << message;
         EXPECT_EQ(message.find('\n'), std::string::npos);
     }

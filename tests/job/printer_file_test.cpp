@@ -43,7 +43,7 @@ frequency_hz = [9, 13]
 damping_ratio = [0.03, 0.05]
 )";
 
-std::string complaint(const std::string& text) {
+std::string printer_complaint(const std::string& text) {
     const ScratchFile file("printer.toml", text);
     try {
         load_printer(file.path());
@@ -115,10 +115,10 @@ TEST(PrinterFile, UsualPrinterIsTheOneOfTheDefaultLimits) {
 }
 
 TEST(PrinterFile, NamesFileLineAndNearestKeyOfWhatItDoesNotKnow) {
-    const std::string text = complaint("nozzle_mm = 0.4\n[limits]\nmax_acceleration = 5\n");
+    const std::string text = printer_complaint("nozzle_mm = 0.4\n[limits]\nmax_acceleration = 5\n");
     EXPECT_NE(text.find("printer.toml:3: limits.max_acceleration is not a key"), text.npos) << text;
     EXPECT_NE(text.find("did you mean limits.max_acceleration_mm_s2?"), text.npos) << text;
-    EXPECT_NE(complaint("[prices]\nfilament = 20\n").find(":1: prices"), text.npos);
+    EXPECT_NE(printer_complaint("[prices]\nfilament = 20\n").find(":1: prices"), text.npos);
 }
 
 TEST(PrinterFile, RefusesWhatCannotBe) {
@@ -144,9 +144,9 @@ TEST(PrinterFile, RefusesWhatCannotBe) {
                    "delta.arm_mm is 100 but must be above"},
              Wrong{"nozzle_mm = = 4", ":1: not valid TOML"},
          })
-        EXPECT_NE(complaint(wrong.text).find(wrong.says), std::string::npos)
+        EXPECT_NE(printer_complaint(wrong.text).find(wrong.says), std::string::npos)
             << wrong.text << "\n"
-            << complaint(wrong.text);
+            << printer_complaint(wrong.text);
 }
 
 TEST(PrinterFile, ThatIsNotThereIsBadInputAndAnUnknownNameIsWrongUsage) {

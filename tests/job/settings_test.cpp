@@ -10,13 +10,13 @@
 namespace bead {
 namespace {
 
-std::vector<std::string> values_of(const Settings& settings) {
+std::vector<std::string> all_values(const Settings& settings) {
     std::vector<std::string> values;
     for (const Setting& setting : all_settings()) values.push_back(setting.get(settings));
     return values;
 }
 
-Error error_of(std::string_view name, std::string_view value, std::string_view where = "--set") {
+Error setting_error(std::string_view name, std::string_view value, std::string_view where = "--set") {
     Settings settings;
     try {
         set(settings, name, value, where);
@@ -40,21 +40,21 @@ TEST(Settings, NamesDiffer) {
 TEST(Settings, DefaultsAreAllowedAndSurviveBeingWritten) {
     for (const Setting& setting : all_settings()) {
         Settings settings;
-        const std::vector<std::string> before = values_of(settings);
+        const std::vector<std::string> before = all_values(settings);
         set(settings, setting.name, get(settings, setting.name));
-        EXPECT_EQ(values_of(settings), before) << setting.name;
+        EXPECT_EQ(all_values(settings), before) << setting.name;
     }
 }
 
 TEST(Settings, EachChangesItselfAndNothingElse) {
-    const std::vector<std::string> before = values_of({});
+    const std::vector<std::string> before = all_values({});
     for (std::size_t i = 0; i < before.size(); ++i) {
         const Setting& setting = all_settings()[i];
         int changes = 0;
         for (const std::string_view value : {"0.3", "3", "false", "concentric", "90"}) {
             Settings settings;
             if (!setting.set(settings, value)) continue;
-            std::vector<std::string> after = values_of(settings);
+            std::vector<std::string> after = all_values(settings);
             EXPECT_EQ(after[i], value) << setting.name;
             changes += after[i] == before[i] ? 0 : 1;
             after[i] = before[i];
@@ -79,11 +79,11 @@ TEST(Settings, ReachTheOptionsInTheirUnits) {
 }
 
 TEST(Settings, SayWhatIsAllowed) {
-    const Error error = error_of("density", "1.7");
+    const Error error = setting_error("density", "1.7");
     EXPECT_STREQ(error.what(), "--set: density = 1.7 is not a number in 0 … 1 (0 % … 100 %)");
     EXPECT_EQ(error.fault(), Fault::usage);
-    EXPECT_EQ(error_of("density", "1.7", "fast.toml:3").fault(), Fault::input);
-    EXPECT_STREQ(error_of("wals", "2", "fast.toml:3").what(),
+    EXPECT_EQ(setting_error("density", "1.7", "fast.toml:3").fault(), Fault::input);
+    EXPECT_STREQ(setting_error("wals", "2", "fast.toml:3").what(),
                  "fast.toml:3: there is no setting wals; did you mean walls?");
 }
 
@@ -96,23 +96,23 @@ TEST(Settings, RefuseWhatIsNotWhollyAValue) {
             const bool is_an_angle = setting.name.ends_with("_deg") && value == "-1";
             EXPECT_EQ(setting.set(settings, value), is_an_angle) << setting.name << " = " << value;
         }
-    EXPECT_EQ(error_of("walls", "2.5").fault(), Fault::usage);
-    EXPECT_EQ(error_of("walls", "99999999999999999999").fault(), Fault::usage);
+    EXPECT_EQ(setting_error("walls", "2.5").fault(), Fault::usage);
+    EXPECT_EQ(setting_error("walls", "99999999999999999999").fault(), Fault::usage);
 }
 
 RC_GTEST_PROP(Settings, TakeOrRefuseAnyTextInOneLine, (const std::string& value)) {
     const Setting& setting =
         all_settings()[*rc::gen::inRange<std::size_t>(0, all_settings().size())];
     Settings settings;
-    const std::vector<std::string> before = values_of(settings);
+    const std::vector<std::string> before = all_values(settings);
     try {
         set(settings, setting.name, value);
     } catch (const Error& error) {
         RC_ASSERT(is_one_line(error.what()));
         RC_ASSERT(std::string_view(error.what()).find(setting.name) != std::string_view::npos);
-        RC_ASSERT(values_of(settings) == before);
+        RC_ASSERT(all_values(settings) == before);
     }
-    RC_ASSERT(is_one_line(error_of("?" + value, value).what()));
+    RC_ASSERT(is_one_line(setting_error("?" + value, value).what()));
 }
 
 RC_GTEST_PROP(Settings, KeepNumbersToTheDigit, ()) {

@@ -17,7 +17,7 @@ VibrationModel model_of(const std::string& text) {
     return load_printer(file.path()).vibration;
 }
 
-std::string complaint(const std::string& text) {
+std::string vibration_complaint(const std::string& text) {
     try {
         model_of(text);
     } catch (const Error& error) {
@@ -81,7 +81,7 @@ TEST(VibrationTable, RefusesWhatCannotBe) {
              Wrong{"screw.support = \"glued\"", "fixed-free"},
              Wrong{"frequenz = [1, 2]", "is not a key"},
          }) {
-        const std::string words = complaint(std::string("[vibration]\n") + wrong.text + "\n");
+        const std::string words = vibration_complaint(std::string("[vibration]\n") + wrong.text + "\n");
         EXPECT_NE(words.find(wrong.says), words.npos) << wrong.text << ": " << words;
         EXPECT_EQ(words.find('\n'), words.npos);
     }

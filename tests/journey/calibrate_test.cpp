@@ -200,7 +200,7 @@ TEST(Calibrate, LaysAPowerLogBesideItsPrint) {
                 70 * 202, 300);
 }
 
-struct BadCall {
+struct BadCalibration {
     std::string table;
     std::string options;
     int status;
@@ -216,7 +216,7 @@ TEST(Calibrate, RefusesInOneLine) {
         alike += a + "," + a + "," + c + "," + std::to_string(100 * (i % 3)) + ",1e6\n";
         still += a + "," + c + "," + c + ",0,1e6\n";
     }
-    const BadCall calls[] = {
+    const BadCalibration calls[] = {
         {rows, "", 5, "2 prints cannot determine 4 coefficients; measure at least 2 more"},
         {alike, "", 5, "A (speed changes along X) and B"},
         {still, "--model pooled", 5, "is 0 in every print"},
@@ -233,7 +233,7 @@ TEST(Calibrate, RefusesInOneLine) {
         {rows, "--fit wild", 2, "wild"},
         {rows, "--acceleration 0", 2, "acceleration"},
     };
-    for (const BadCall& call : calls) {
+    for (const BadCalibration& call : calls) {
         const Folder folder;
         const Outcome outcome = beadwork("calibrate " + folder.write("t.csv", call.table) + " " +
                                          call.options + " -o " + (folder / "out.toml"));

@@ -34,13 +34,13 @@ std::string rings(bool arcs) {
     return text;
 }
 
-double number(const std::string& json, const std::string& key) {
+double vibration_number(const std::string& json, const std::string& key) {
     const std::size_t at = json.find("\"" + key + "\": ");
     return at == json.npos ? -1 : std::stod(json.substr(at + key.size() + 4));
 }
 
-double number(const std::string& json, const std::string& object, const std::string& key) {
-    return number(json.substr(json.find("\"" + object + "\"")), key);
+double vibration_number(const std::string& json, const std::string& object, const std::string& key) {
+    return vibration_number(json.substr(json.find("\"" + object + "\"")), key);
 }
 
 TEST(VibrationCommand, TellsWhatTheContractNames) {
@@ -49,15 +49,15 @@ TEST(VibrationCommand, TellsWhatTheContractNames) {
     const Outcome told = beadwork("vibration " + file + " --printer ldam-1000 --json -");
     ASSERT_EQ(told.status, 0) << told.err;
     for (const char* key : {"rms_acceleration_mm_s2", "rms_5_40hz", "psd_top3", "time_s", "co2_g"})
-        EXPECT_GT(number(told.out, key), 0) << key;
-    const double peak = number(told.out, "peak_frequency_hz");
+        EXPECT_GT(vibration_number(told.out, key), 0) << key;
+    const double peak = vibration_number(told.out, "peak_frequency_hz");
     EXPECT_TRUE(peak >= 5 && peak <= 40) << peak;
     for (const char* key : {"min", "mean", "max"})
-        EXPECT_GE(number(told.out, "deviation_mm", key), 0) << key;
-    const double mean = number(told.out, "contour_error_mm", "mean");
-    const double p99 = number(told.out, "contour_error_mm", "p99");
+        EXPECT_GE(vibration_number(told.out, "deviation_mm", key), 0) << key;
+    const double mean = vibration_number(told.out, "contour_error_mm", "mean");
+    const double p99 = vibration_number(told.out, "contour_error_mm", "p99");
     EXPECT_LT(mean, p99);
-    EXPECT_LE(p99, number(told.out, "contour_error_mm", "max"));
+    EXPECT_LE(p99, vibration_number(told.out, "contour_error_mm", "max"));
     EXPECT_EQ(told.out, beadwork("vibration " + file + " --printer ldam-1000 --json -").out);
 }
 
@@ -72,8 +72,8 @@ TEST(VibrationCommand, SetsLawsSideBySide) {
     EXPECT_TRUE(content(picture).ends_with("</svg>\n"));
     const std::string laws = told.out.substr(told.out.find("\"laws\""));
     const std::string last = laws.substr(laws.find("K1Mf"));
-    EXPECT_LT(number(last, "rms_acceleration_mm_s2"),
-              0.5 * number(told.out, "rms_acceleration_mm_s2"));
+    EXPECT_LT(vibration_number(last, "rms_acceleration_mm_s2"),
+              0.5 * vibration_number(told.out, "rms_acceleration_mm_s2"));
 }
 
 TEST(VibrationCommand, TakesArcsAsTheFirmwareChopsThem) {
@@ -84,12 +84,12 @@ TEST(VibrationCommand, TakesArcsAsTheFirmwareChopsThem) {
     const Outcome chords = beadwork("vibration " + lines + options);
     const Outcome round = beadwork("vibration " + arcs + options);
     ASSERT_EQ(round.status, 0) << round.err;
-    EXPECT_NEAR(number(round.out, "time_s"), number(chords.out, "time_s"),
-                0.5 * number(chords.out, "time_s"));
-    EXPECT_NEAR(number(round.out, "volume_mm3"), number(chords.out, "volume_mm3"),
-                0.02 * number(chords.out, "volume_mm3"));
-    EXPECT_LT(number(round.out, "rms_acceleration_mm_s2"),
-              number(chords.out, "rms_acceleration_mm_s2"));
+    EXPECT_NEAR(vibration_number(round.out, "time_s"), vibration_number(chords.out, "time_s"),
+                0.5 * vibration_number(chords.out, "time_s"));
+    EXPECT_NEAR(vibration_number(round.out, "volume_mm3"), vibration_number(chords.out, "volume_mm3"),
+                0.02 * vibration_number(chords.out, "volume_mm3"));
+    EXPECT_LT(vibration_number(round.out, "rms_acceleration_mm_s2"),
+              vibration_number(chords.out, "rms_acceleration_mm_s2"));
 }
 
 TEST(VibrationCommand, RefusesWhatMakesNoSense) {

@@ -11,7 +11,7 @@
 namespace bead {
 namespace {
 
-bool near(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(a)); }
+bool nearly(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(a)); }
 
 RC_GTEST_PROP(MotionTotals, of_layers_and_roles_add_up_to_those_of_the_print, ()) {
     const std::vector<Command> commands = stream_of(*stream_plans());
@@ -40,16 +40,16 @@ RC_GTEST_PROP(MotionTotals, of_layers_and_roles_add_up_to_those_of_the_print, ()
     const PerRole<RoleMotion> roles = motion_by_role(totals);
     const RoleMotion all = total(roles);
     RC_ASSERT(totals.by_layer.size() == layers);
-    RC_ASSERT(near(time, totals.duration));
-    RC_ASSERT(near(dwell, totals.dwell));
-    RC_ASSERT(near(all.duration + dwell, totals.duration));
-    RC_ASSERT(near(all.length, totals.length));
-    RC_ASSERT(near(all.extruded, totals.extruded));
+    RC_ASSERT(nearly(time, totals.duration));
+    RC_ASSERT(nearly(dwell, totals.dwell));
+    RC_ASSERT(nearly(all.duration + dwell, totals.duration));
+    RC_ASSERT(nearly(all.length, totals.length));
+    RC_ASSERT(nearly(all.extruded, totals.extruded));
     RC_ASSERT(all.moves == totals.moves);
     for (std::size_t i = 0; i < roles.size(); ++i)
-        RC_ASSERT(near(roles[i].duration, totals.by_role[i]));
+        RC_ASSERT(nearly(roles[i].duration, totals.by_role[i]));
     RC_ASSERT(totals.fastest == top);
-    for (std::size_t i = 0; i < 4; ++i) RC_ASSERT(near(totals.fastest_axis[i], top_axis[i]));
+    for (std::size_t i = 0; i < 4; ++i) RC_ASSERT(nearly(totals.fastest_axis[i], top_axis[i]));
 }
 
 }  // namespace

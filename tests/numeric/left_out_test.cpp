@@ -9,15 +9,15 @@
 namespace bead {
 namespace {
 
-struct Sample {
+struct LeftOutSample {
     Rows rows;
     std::vector<double> values;
 };
 
-Sample random_sample(unsigned seed, std::size_t n, double noise) {
+LeftOutSample random_sample(unsigned seed, std::size_t n, double noise) {
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal;
-    Sample s;
+    LeftOutSample s;
     for (std::size_t i = 0; i < n; ++i) {
         s.rows.push_back({1 + std::abs(normal(random)), 10 * std::abs(normal(random))});
         s.values.push_back(dot(s.rows.back(), {5, 0.3}) + noise * normal(random));
@@ -27,7 +27,7 @@ Sample random_sample(unsigned seed, std::size_t n, double noise) {
 
 // The closed form: a row's own error grows by 1 / (1 - its leverage) when it is left out.
 RC_GTEST_PROP(LeftOut, OfSingleRowsIsTheFitsErrorOverOneLessLeverage, ()) {
-    const Sample s = random_sample(*rc::gen::arbitrary<unsigned>(), 12, 0.2);
+    const LeftOutSample s = random_sample(*rc::gen::arbitrary<unsigned>(), 12, 0.2);
     FitOptions options;
     for (std::size_t i = 0; i < s.rows.size(); ++i) options.weights.push_back(1.0 + double(i % 3));
     const LinearFit fit = fit_linear(s.rows, s.values, options);
@@ -40,7 +40,7 @@ RC_GTEST_PROP(LeftOut, OfSingleRowsIsTheFitsErrorOverOneLessLeverage, ()) {
 }
 
 RC_GTEST_PROP(LeftOut, KnowsExactRowsWhateverTheGroups, ()) {
-    const Sample s = random_sample(*rc::gen::arbitrary<unsigned>(), 9, 0);
+    const LeftOutSample s = random_sample(*rc::gen::arbitrary<unsigned>(), 9, 0);
     const auto told = left_out(s.rows, s.values, {0, 0, 0, 1, 1, 2, 2, 2, 3}, {});
     const auto errors = relative_errors(told, s.values);
     RC_ASSERT(errors->told == 9U);
@@ -49,7 +49,7 @@ RC_GTEST_PROP(LeftOut, KnowsExactRowsWhateverTheGroups, ()) {
 
 // What is left out cannot be known: changing its value does not change what is said of it.
 RC_GTEST_PROP(LeftOut, DoesNotPeek, ()) {
-    Sample s = random_sample(*rc::gen::arbitrary<unsigned>(), 9, 0.1);
+    LeftOutSample s = random_sample(*rc::gen::arbitrary<unsigned>(), 9, 0.1);
     const std::vector<std::size_t> labels{0, 0, 0, 1, 1, 2, 2, 2, 3};
     const auto before = left_out(s.rows, s.values, labels, {.non_negative = true});
     s.values[3] *= 7;

@@ -52,7 +52,7 @@ class RandomRegions {
         for (int i = 0; i < corners; ++i)
             loop.push_back(centre + uniform(0.3, 1.0) * radius *
                                         unit(2 * pi * (i + uniform(0.0, 0.9)) / corners));
-        return region_of({loop}, Winding::even_odd);
+        return region_of({loop}, FillRule::even_odd);
     }
 
     Region convex(Vec2 centre, double radius) {

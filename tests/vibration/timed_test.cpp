@@ -33,13 +33,13 @@ std::vector<Piece> rings(unsigned seed, std::size_t count) {
     return pieces_of(toolpath, 120);
 }
 
-struct Told {
+struct ToldPiece {
     std::vector<MotionSegment> segments;
     double duration = 0, length = 0;
 };
 
-Told told(std::span<const Piece> pieces, const TimeLaw& law) {
-    Told all;
+ToldPiece told(std::span<const Piece> pieces, const TimeLaw& law) {
+    ToldPiece all;
     timed(pieces, law, [&](const MotionSegment& segment) {
         all.segments.push_back(segment);
         all.duration += segment.duration;
@@ -86,7 +86,7 @@ TEST_P(AnyPath, ExceedsNothing) {
 TEST_P(AnyPath, AsAStreamTakesAsLong) {
     const std::vector<Piece> pieces = rings(GetParam(), 30'000);
     for (const TimeLaw& law : {k0, k1}) {
-        const Told whole = told(pieces, law);
+        const ToldPiece whole = told(pieces, law);
         double duration = 0, length = 0;
         Timing timing(law, [&](const MotionSegment& segment) {
             duration += segment.duration;
