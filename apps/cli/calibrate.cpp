@@ -113,7 +113,8 @@ void warn_of_scope(const MeasuredPrints& measured, std::vector<std::string>& war
         first.name, first.energy / *first.duration));
 }
 
-void write_model(const CalibrateCall& options, const FittedModel& fit, const MeasuredPrints& measured) {
+void write_model(const CalibrateCall& options, const FittedModel& fit,
+                 const MeasuredPrints& measured) {
     if (options.out.empty()) return;
     OutputFile file(options.out);
     write_calibrated(

@@ -104,7 +104,8 @@ std::string picture_of(const LoadCase& load_case, const Candidate& design) {
     return layout_picture(picture);
 }
 
-void write_picture(const ReinforceCall& options, const LoadCase& load_case, const Candidate& design) {
+void write_picture(const ReinforceCall& options, const LoadCase& load_case,
+                   const Candidate& design) {
     if (options.picture.empty()) return;
     OutputFile file(options.picture);
     file.stream() << picture_of(load_case, design);
@@ -134,7 +135,8 @@ Machine machine_of(const ReinforceCall& options) {
     return machine;
 }
 
-Reinforced design_of(const ReinforceCall& options, const LoadCase& load_case, const Console& console) {
+Reinforced design_of(const ReinforceCall& options, const LoadCase& load_case,
+                     const Console& console) {
     ReinforceOptions how;
     how.seeds = options.seeds;
     how.first_seed = static_cast<std::uint32_t>(options.seed);

@@ -76,7 +76,8 @@ void stress_plane(const LoadCase& load_case, const StressCall& options) {
         options.buckling ? buckling_of(load_case) : std::vector<SolidBuckling>{}};
     print_stress(console, report);
     write_asked(options.vtu, [&](std::ostream& out) { write_vtu(out, report); });
-    write_asked(options.picture, [&](std::ostream& out) { out << stress_picture(load_case, sheet); });
+    write_asked(options.picture,
+                [&](std::ostream& out) { out << stress_picture(load_case, sheet); });
     if (options.output.json.empty()) return;
     Json result = result_head("stress", {options.file});
     result.update(stress_json(report));

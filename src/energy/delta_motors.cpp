@@ -11,10 +11,10 @@
 namespace bead {
 namespace {
 
-constexpr double accuracy = 1e-7;       // J a block
-constexpr double tower_newton_mm = 1e-3;      // J
-constexpr double kg_mm2_per_s2 = 1e-6;  // J
-constexpr double gravity = 9806.65;     // mm/s²
+constexpr double accuracy = 1e-7;         // J a block
+constexpr double tower_newton_mm = 1e-3;  // J
+constexpr double kg_mm2_per_s2 = 1e-6;    // J
+constexpr double gravity = 9806.65;       // mm/s²
 
 using Towers = std::array<double, 3>;
 using Slopes = std::array<Carriage::Slope, 3>;

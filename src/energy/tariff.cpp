@@ -28,7 +28,9 @@ Billing::Billing(Tariff tariff, double start) : tariff_(std::move(tariff)), star
     bill_.energy.resize(tariff_.size());
 }
 
-double Billing::time_of_day(double time) const { return std::fmod(start_ + time + time_rounding, day); }
+double Billing::time_of_day(double time) const {
+    return std::fmod(start_ + time + time_rounding, day);
+}
 
 std::size_t Billing::rate_at(double time) const {
     const double now = time_of_day(time);

@@ -14,8 +14,8 @@ namespace {
 constexpr std::array axes{axis_x, axis_y, axis_z, axis_e};
 constexpr std::string_view axis_letters = "XYZE";
 constexpr PerAxis<double> farthest_place{1e6, 1e6, 1e6, 1e9};  // mm; E is 1000 km of filament
-constexpr int most_turns = 100;                          // of one arc, as in Marlin
-constexpr double fastest = 1e4;                          // mm/s: as fast as the axis' limit lets it
+constexpr int most_turns = 100;                                // of one arc, as in Marlin
+constexpr double fastest = 1e4;  // mm/s: as fast as the axis' limit lets it
 constexpr std::size_t most_saved = 1000;
 
 // By Plane: its axes and the words for the centre along these.

@@ -13,7 +13,7 @@
 namespace bead {
 namespace {
 
-constexpr double arc_sagitta = 0.005;       // mm, between an arc and its chords
+constexpr double arc_sagitta = 0.005;   // mm, between an arc and its chords
 constexpr double largest_radius = 1e5;  // mm
 constexpr double off_circle = 0.1;      // mm, and a hundredth of the radius
 constexpr std::size_t most_chords = 5000;
@@ -91,7 +91,8 @@ struct LayerReader::State {
         const Vec2 to = Vec2{arc.end.to[axis_x], arc.end.to[axis_y]} - centre;
         const double radius = length(from), end_radius = length(to);
         const double angle = sweep(from, to, arc.clockwise);
-        const double step = 2 * std::acos(1 - std::min(1.0, arc_sagitta / std::max(radius, arc_sagitta)));
+        const double step =
+            2 * std::acos(1 - std::min(1.0, arc_sagitta / std::max(radius, arc_sagitta)));
         const auto count = std::min(most_chords, std::size_t(std::ceil(angle / step)));
         for (std::size_t i = 1; i < count; ++i) {
             const double part = double(i) / double(count);

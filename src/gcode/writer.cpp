@@ -28,8 +28,8 @@ struct WrittenPlane {
     std::array<char, 2> centre;
 };
 constexpr std::array written_planes{WrittenPlane{"G17\n", {axis_x, axis_y}, {'I', 'J'}},
-                            WrittenPlane{"G18\n", {axis_z, axis_x}, {'K', 'I'}},
-                            WrittenPlane{"G19\n", {axis_y, axis_z}, {'J', 'K'}}};
+                                    WrittenPlane{"G18\n", {axis_z, axis_x}, {'K', 'I'}},
+                                    WrittenPlane{"G19\n", {axis_y, axis_z}, {'J', 'K'}}};
 
 std::string commented(std::string_view header) {
     std::string text;

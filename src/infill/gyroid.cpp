@@ -16,7 +16,7 @@ namespace {
 
 constexpr double mean_stretch = 1.22937878;  // of the waves, found by integration
 constexpr double mean_phase = 0.48924954;    // rad of height at which it is the mean
-constexpr double gyroid_sagitta = 0.01;             // mm
+constexpr double gyroid_sagitta = 0.01;      // mm
 
 struct Waves {
     double phase = 0;  // rad of height

@@ -25,7 +25,7 @@ struct Found {
     std::string source;
 };
 
-std::optional<double> number_in(std::string_view text) {
+std::optional<double> klipper_number(std::string_view text) {
     double value = 0;
     const auto [stop, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (fault != std::errc() || stop != text.data() + text.size()) return std::nullopt;
@@ -64,7 +64,7 @@ class KlipperConfig {
                                             const Range& range) const {
         const IniValue* const told = text(section, name);
         if (told == nullptr) return std::nullopt;
-        const std::optional<double> value = number_in(told->text);
+        const std::optional<double> value = klipper_number(told->text);
         if (!value || !(*value >= range.low && *value <= range.high))
             throw Error(fmt::format("{}: {} is {} but must be a number {} {:g}", told->place, name,
                                     one_line(told->text),
@@ -199,8 +199,8 @@ class KlipperConfig {
             const std::string_view pair = rest.substr(0, rest.find(','));
             rest.remove_prefix(std::min(rest.size(), pair.size() + 1));
             const auto colon = std::min(pair.find(':'), pair.size());
-            const auto from = number_in(trimmed(pair.substr(0, colon)));
-            const auto to = number_in(trimmed(pair.substr(std::min(colon + 1, pair.size()))));
+            const auto from = klipper_number(trimmed(pair.substr(0, colon)));
+            const auto to = klipper_number(trimmed(pair.substr(std::min(colon + 1, pair.size()))));
             if (!from || !to || !(*from > 0 && *from <= 1e9) || !(*to > 0 && *to <= 1e9))
                 throw Error(fmt::format("{}: gear_ratio is {} but must be like 80:16, 57:11",
                                         told->place, one_line(told->text)));

@@ -31,7 +31,7 @@ std::string text_in(const json& object, const char* key) {
     return found != object.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
-std::optional<double> number_in(const json& object, const char* key) {
+std::optional<double> json_number(const json& object, const char* key) {
     const auto found = object.find(key);
     if (found == object.end() || !found->is_number()) return std::nullopt;
     const double value = found->get<double>();
@@ -72,8 +72,8 @@ class HistoryReader {
         if (!job.is_object()) return skip("not a job");
         const std::string status = text_in(job, "status");
         if (status != "completed") return skip(status.empty() ? "without a status" : status);
-        const auto duration = number_in(job, "print_duration");
-        const auto filament = number_in(job, "filament_used");
+        const auto duration = json_number(job, "print_duration");
+        const auto filament = json_number(job, "filament_used");
         if (!duration || *duration <= 0) return skip("without a print_duration above 0");
         if (!filament || *filament < 0) return skip("without filament_used");
         const auto energy = energy_in(job);
@@ -106,7 +106,7 @@ class HistoryReader {
         for (const json& reading : *readings) {
             if (!reading.is_object() || joules_of(reading) == 0) continue;
             if (!is_asked_for(reading, sensor_)) continue;
-            const auto value = number_in(reading, "value");
+            const auto value = json_number(reading, "value");
             if (!value) continue;
             seen_.insert(one_line(label_of(reading)));
             if (seen_.size() > 1)

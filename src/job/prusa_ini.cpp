@@ -43,7 +43,7 @@ constexpr std::array ini_rows{
     IniRow{"infill_overlap", "infill_overlap", Form::share_of, "bead_width_mm"},
     IniRow{"perimeter_speed", "speed_wall_mm_s", Form::plain, "", true},
     IniRow{"external_perimeter_speed", "speed_outer_wall_mm_s", Form::part_of, "speed_wall_mm_s",
-        true},
+           true},
     IniRow{"infill_speed", "speed_infill_mm_s", Form::plain, "", true},
     IniRow{"solid_infill_speed", "speed_skin_mm_s", Form::part_of, "speed_infill_mm_s", true},
     IniRow{"top_solid_infill_speed", "speed_top_skin_mm_s", Form::part_of, "speed_skin_mm_s", true},

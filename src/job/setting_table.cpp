@@ -20,7 +20,7 @@ constexpr Allowed printing_speed{0.1, 2000};  // mm/s
 constexpr Allowed bead_width{0.05, 50};       // mm
 constexpr Allowed layer_height{0.01, 10};     // mm
 constexpr Allowed any_count{0, 1000};
-constexpr Allowed any_share{0, 1};
+constexpr Allowed whole_share{0, 1};
 constexpr Allowed any_angle{-360, 360};  // °
 
 std::string text_of(double value) { return fmt::format("{:.12g}", value); }
@@ -31,7 +31,7 @@ std::string text_of(const Allowed& range) {
 
 // The whole text as a number of the type, no part of it left over.
 template <class T>
-std::optional<T> number_in(std::string_view text) {
+std::optional<T> number_as(std::string_view text) {
     T value{};
     const char* const end = text.data() + text.size();
     const auto [stop, fault] = std::from_chars(text.data(), end, value);
@@ -41,9 +41,9 @@ std::optional<T> number_in(std::string_view text) {
 
 // "0.2", "20%" and "20 %" are the same.
 std::optional<double> share_in(std::string_view text) {
-    if (!text.ends_with('%')) return number_in<double>(text);
+    if (!text.ends_with('%')) return number_as<double>(text);
     text = trimmed(text.substr(0, text.size() - 1));
-    const std::optional<double> percent = number_in<double>(text);
+    const std::optional<double> percent = number_as<double>(text);
     return percent ? std::optional(*percent / 100) : std::nullopt;
 }
 
@@ -53,7 +53,7 @@ template <class Place>
 Setting number(std::string_view name, std::string_view about, Allowed range, Place place,
                double unit = 1) {
     const auto set = [range, place, unit](Settings& settings, std::string_view text) {
-        const std::optional<double> value = number_in<double>(text);
+        const std::optional<double> value = number_as<double>(text);
         if (!value || !range.holds(*value)) return false;
         place(settings) = *value * unit;
         return true;
@@ -78,7 +78,7 @@ template <class Place>
 Setting share(std::string_view name, std::string_view about, Place place) {
     const auto set = [place](Settings& settings, std::string_view text) {
         const std::optional<double> value = share_in(text);
-        if (!value || !any_share.holds(*value)) return false;
+        if (!value || !whole_share.holds(*value)) return false;
         place(settings) = *value;
         return true;
     };
@@ -89,7 +89,7 @@ Setting share(std::string_view name, std::string_view about, Place place) {
 template <class Place>
 Setting count(std::string_view name, std::string_view about, Place place) {
     const auto set = [place](Settings& settings, std::string_view text) {
-        const std::optional<int> value = number_in<int>(text);
+        const std::optional<int> value = number_as<int>(text);
         if (!value || !any_count.holds(*value)) return false;
         place(settings) = *value;
         return true;

@@ -109,8 +109,8 @@ void read_screw(TomlReader& file, std::array<DriveAxis, 2>& axes) {
         if (known) screw.coupling_at = at[k] * 1e-3;
         if (screw.nut_distance >= screw.length)
             reject(file, "vibration.screw.nut_distance_mm",
-                 fmt::format("the nut of {} would be beyond its screw of {:g} mm", "XY"[k],
-                             screw.length * 1e3));
+                   fmt::format("the nut of {} would be beyond its screw of {:g} mm", "XY"[k],
+                               screw.length * 1e3));
     }
 }
 
@@ -137,10 +137,10 @@ void check_modes(TomlReader& file, const std::array<DriveAxis, 2>& axes) {
             mode.damping < 0.5 && mode.damping >= 0)
             continue;
         reject(file, "vibration.flexure_n_per_mm",
-             fmt::format(
-                 "the first mode of {} would be at {:.1f} Hz with a damping ratio of {:.2f}; "
-                 "it must be above 0 and at most {:g} Hz, the ratio below 0.5",
-                 "XY"[k], mode.frequency, mode.damping, highest_mode));
+               fmt::format(
+                   "the first mode of {} would be at {:.1f} Hz with a damping ratio of {:.2f}; "
+                   "it must be above 0 and at most {:g} Hz, the ratio below 0.5",
+                   "XY"[k], mode.frequency, mode.damping, highest_mode));
     }
 }
 
@@ -150,7 +150,8 @@ bool says_anything(TomlReader& file) {
         return place && !place->starts_with("--");
     };
     return said(mode_keys[0]) || said(mode_keys[1]) ||
-           std::ranges::any_of(vibration_rows, [&](const VibrationRow& row) { return said(row.key); });
+           std::ranges::any_of(vibration_rows,
+                               [&](const VibrationRow& row) { return said(row.key); });
 }
 
 }  // namespace

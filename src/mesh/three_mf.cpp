@@ -17,9 +17,9 @@ namespace bead {
 namespace {
 
 constexpr std::size_t most_xml_bytes = std::size_t{1} << 30U;  // of XML
-constexpr std::size_t most_triangles = 50'000'000;         // after all copies are placed
-constexpr int most_copies = 100'000;                       // placed objects, empty ones too
-constexpr int most_levels = 32;                            // components within components
+constexpr std::size_t most_triangles = 50'000'000;             // after all copies are placed
+constexpr int most_copies = 100'000;                           // placed objects, empty ones too
+constexpr int most_levels = 32;                                // components within components
 
 constexpr std::pair<std::string_view, double> units[] = {
     {"micron", 0.001}, {"millimeter", 1}, {"centimeter", 10},

@@ -14,7 +14,7 @@ namespace {
 constexpr double no_way = 1e-9;             // mm, below this nothing moves
 constexpr double no_limit = 99999999.9;     // mm/s², filament alone before its own limits
 constexpr double look_after = 0.25;         // s of moves between two looks at the queue
-constexpr double slowest_feed = 0.05;         // mm/s; slower is taken as this
+constexpr double slowest_feed = 0.05;       // mm/s; slower is taken as this
 constexpr double most_cruise_ratio = 0.99;  // all cruise would be no speed at all
 
 double max_velocity(const Limits& limits) {

@@ -16,8 +16,8 @@
 namespace bead {
 namespace {
 
-constexpr float least_speed = 0.05F;  // mm/s, at which a print begins and ends
-constexpr double least_marlin_feed = 0.05;   // mm/s; slower is taken as this
+constexpr float least_speed = 0.05F;        // mm/s, at which a print begins and ends
+constexpr double least_marlin_feed = 0.05;  // mm/s; slower is taken as this
 constexpr float halt_preference = 0.99F;
 constexpr float still = 1e-6F;  // mm/s
 constexpr std::int64_t most_of_32_bits = 4294967295;

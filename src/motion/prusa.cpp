@@ -15,7 +15,7 @@ namespace {
 
 constexpr double least_prusa_feed = 0.05;  // mm/s; slower is taken as this
 constexpr double prusa_halt_preference =
-    0.99;                       // a halt is taken when it is at most 1 % slower than coasting
+    0.99;                          // a halt is taken when it is at most 1 % slower than coasting
 constexpr double standing = 1e-4;  // mm/s, below this the machine stands
 
 // Of a number that is not below 0; std::ceil is a call where the processor's own may be missing.

@@ -13,8 +13,8 @@ namespace bead {
 namespace {
 
 constexpr std::size_t usual_window = 2048;  // moves
-constexpr double least_way = 1e-9;             // mm, below this nothing moves
-constexpr double least_asked_feed = 0.05;         // mm/s; slower is taken as this
+constexpr double least_way = 1e-9;          // mm, below this nothing moves
+constexpr double least_asked_feed = 0.05;   // mm/s; slower is taken as this
 
 enum class Trend { up, level, down };
 Trend trend_of(const JerkPhase& phase) {

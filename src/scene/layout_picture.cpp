@@ -18,7 +18,9 @@ constexpr double layout_rim = 0.15;  // of the bead's width, left between beads 
 struct LayoutPage {
     Box2 box;
     double scale = 1;
-    [[nodiscard]] double bottom() const { return layout_margin + layout_title + scale * box.size().y; }
+    [[nodiscard]] double bottom() const {
+        return layout_margin + layout_title + scale * box.size().y;
+    }
     // SVG counts y downwards.
     [[nodiscard]] std::string frame() const {
         return fmt::format("translate({} {}) scale({})", decimal(layout_margin - scale * box.low.x),

@@ -23,7 +23,9 @@ struct Scales {
     [[nodiscard]] double x(double seconds) const {
         return stack_left + (right - stack_left) * seconds / lasting;
     }
-    [[nodiscard]] double y(double value) const { return bottom - (bottom - stack_top) * value / highest; }
+    [[nodiscard]] double y(double value) const {
+        return bottom - (bottom - stack_top) * value / highest;
+    }
 };
 
 std::string words(double x, double y, std::string_view text, std::string_view looks) {
@@ -100,7 +102,7 @@ std::string bands(const StackedAreas& areas, const Scales& scales) {
     for (const Band& band : areas.bands) {
         for (std::size_t i = 0; i < above.size(); ++i) above[i] += band.values[i];
         svg += fmt::format("<path d=\"{}\" fill=\"{}\"/>\n", area(below, above, scales, areas.step),
-                           band.stack_ink);
+                           band.ink);
         below = above;
     }
     return svg;
@@ -112,7 +114,7 @@ std::string legend(const StackedAreas& areas) {
     double x = stack_left;
     for (auto band = areas.bands.rbegin(); band != areas.bands.rend(); ++band) {
         svg += fmt::format("<rect x=\"{}\" y=\"54\" width=\"14\" height=\"14\" fill=\"{}\"/>\n",
-                           decimal(x), band->stack_ink);
+                           decimal(x), band->ink);
         svg += words(x + 20, 66, band->name, "");
         x += 44 + 7.2 * static_cast<double>(band->name.size());
     }
@@ -131,7 +133,8 @@ std::string stacked_areas_svg(const StackedAreas& areas) {
                "height=\"{1}\" font-family=\"system-ui, sans-serif\" font-size=\"13\" "
                "fill=\"{2}\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
                decimal(stack_width), decimal(page_height), stack_faint_ink) +
-           words(stack_left, 36, areas.title, fmt::format("font-size=\"18\" fill=\"{}\"", stack_ink)) +
+           words(stack_left, 36, areas.title,
+                 fmt::format("font-size=\"18\" fill=\"{}\"", stack_ink)) +
            legend(areas) + grid(scales, areas.unit) + bands(areas, scales) +
            words(stack_left, page_height - 20, areas.caption, "") + "</svg>\n";
 }

@@ -9,7 +9,6 @@
 namespace bead {
 namespace {
 
-using std::numbers::pi;
 using Elongation = std::array<double, drive_order>;  // of a spring, per unit of each coordinate
 
 constexpr std::size_t motor = 4, screw_turn = 5;
@@ -21,21 +20,22 @@ double damper(double ratio, double stiffness, double mass) {
 }
 
 double screw_stiffness(const Screw& s, double nut_distance) {
-    const double one_side = pi * s.radius * s.radius * s.young / nut_distance;
+    const double one_side = std::numbers::pi * s.radius * s.radius * s.young / nut_distance;
     if (s.support == ScrewSupport::fixed_free) return one_side;
     return one_side * s.length / (s.length - nut_distance);
 }
 
 double twist_stiffness(const Screw& s, double nut_distance) {
-    return pi * s.shear * std::pow(s.radius, 4) / (2 * nut_distance);
+    return std::numbers::pi * s.shear * std::pow(s.radius, 4) / (2 * nut_distance);
 }
 
 double screw_mass(const Screw& s) {
-    return pi * s.density * s.length * s.radius * s.radius + s.rotor_mass + s.coupling_mass;
+    return std::numbers::pi * s.density * s.length * s.radius * s.radius + s.rotor_mass +
+           s.coupling_mass;
 }
 
 double screw_inertia(const Screw& s) {
-    return pi / 2 * s.density * s.length * std::pow(s.radius, 4) + s.coupling_inertia;
+    return std::numbers::pi / 2 * s.density * s.length * std::pow(s.radius, 4) + s.coupling_inertia;
 }
 
 double nut_stiffness(const Screw& s) {
@@ -48,7 +48,7 @@ void add_spring(DriveMatrix& matrix, const Elongation& e, double value) {
 }
 
 void close_loop(Drive& drive, const DriveAxis& axis) {
-    const double i = drive.ratio, bandwidth = 2 * pi * axis.servo.bandwidth;
+    const double i = drive.ratio, bandwidth = 2 * std::numbers::pi * axis.servo.bandwidth;
     drive.inertia =
         drive.mass[motor] + drive.mass[screw_turn] + i * i * (axis.slave_mass + axis.table_mass);
     drive.kp = drive.inertia * bandwidth * bandwidth;
@@ -61,7 +61,7 @@ Drive drive(const DriveAxis& axis, double nut_distance) {
     const Screw& s = axis.screw;
     BEAD_EXPECTS(nut_distance > 0 && nut_distance < s.length && axis.flexure > 0);
     Drive d;
-    d.ratio = s.lead / (2 * pi);
+    d.ratio = s.lead / (2 * std::numbers::pi);
     const double m1 = screw_mass(s), js = screw_inertia(s);
     d.mass = {m1, m1, axis.slave_mass, axis.table_mass, s.rotor_inertia, js};
 
@@ -130,7 +130,7 @@ DriveAxis with_mode(DriveAxis axis, const DriveMode& measured) {
     BEAD_EXPECTS(measured.frequency > 0 && measured.damping >= 0 && measured.damping < ringing);
     constexpr double servo_above = 8;  // times the mode
     axis.servo.bandwidth = std::max(axis.servo.bandwidth, servo_above * measured.frequency);
-    const double omega = 2 * pi * measured.frequency;
+    const double omega = 2 * std::numbers::pi * measured.frequency;
     axis.flexure = axis.table_mass * omega * omega;
     axis.flexure_damping = measured.damping;
     for (int i = 0; i < 50; ++i) {

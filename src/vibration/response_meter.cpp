@@ -20,15 +20,15 @@ constexpr double contour_rate = 500;    // Hz, at which the contour error is tak
 constexpr double nominal_slack = 0.05;  // of the speed asked for
 constexpr std::size_t chunk = 8192;     // samples that are answered at once
 
-// Of the path, at one instant.
-struct PathSample {
-    double way = 0;
-    bool prints = false;
-};
-
 }  // namespace
 
 struct ResponseMeter::State {
+    // Of the path, at one instant.
+    struct PathSample {
+        double way = 0;
+        bool prints = false;
+    };
+
     ShakenMachine machine;
     double step;
     std::array<CommandFilter, 2> filters;

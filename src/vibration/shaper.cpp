@@ -9,8 +9,6 @@
 namespace bead {
 namespace {
 
-using std::numbers::pi;
-
 struct Mode {
     double period;  // s, of the damped swing
     double decay;   // what is left of a swing after half of it
@@ -68,11 +66,11 @@ struct NamedShaper {
     Pulses (*make)(const Mode&);
 };
 constexpr std::array named_shapers{NamedShaper{ShaperKind::zv, zv},
-                          NamedShaper{ShaperKind::mzv, mzv},
-                          NamedShaper{ShaperKind::zvd, zvd},
-                          NamedShaper{ShaperKind::ei, ei},
-                          NamedShaper{ShaperKind::two_hump_ei, two_hump_ei},
-                          NamedShaper{ShaperKind::three_hump_ei, three_hump_ei}};
+                                   NamedShaper{ShaperKind::mzv, mzv},
+                                   NamedShaper{ShaperKind::zvd, zvd},
+                                   NamedShaper{ShaperKind::ei, ei},
+                                   NamedShaper{ShaperKind::two_hump_ei, two_hump_ei},
+                                   NamedShaper{ShaperKind::three_hump_ei, three_hump_ei}};
 
 void normalise(Pulses& pulses) {
     double sum = 0, moment = 0;
@@ -91,7 +89,7 @@ void normalise(Pulses& pulses) {
 std::vector<Pulse> shaper(ShaperKind kind, double frequency, double damping) {
     BEAD_EXPECTS(frequency > 0 && damping >= 0 && damping < 1);
     const double root = std::sqrt(1 - damping * damping);
-    const Mode mode{1 / (frequency * root), std::exp(-damping * pi / root)};
+    const Mode mode{1 / (frequency * root), std::exp(-damping * std::numbers::pi / root)};
     Pulses pulses = std::ranges::find(named_shapers, kind, &NamedShaper::kind)->make(mode);
     normalise(pulses);
     return pulses;
@@ -104,7 +102,7 @@ std::complex<double> gain(const std::vector<Pulse>& pulses, double omega) {
 }
 
 double residual_vibration(const std::vector<Pulse>& pulses, double frequency, double damping) {
-    const double omega = 2 * pi * frequency, root = std::sqrt(1 - damping * damping);
+    const double omega = 2 * std::numbers::pi * frequency, root = std::sqrt(1 - damping * damping);
     std::complex<double> sum;
     const double last = pulses.back().delay;
     for (const Pulse& pulse : pulses)

@@ -90,7 +90,8 @@ std::string syntax_complaint(const std::string& text) {
 TEST(Syntax, refuses_numbers_out_of_range_with_their_line) {
     for (const char* word :
          {"X1e300", "Xinf", "XNaN", "X-1000001", "Z2000000", "E2000000000", "F1e12", "Y1e999"})
-        EXPECT_EQ(syntax_complaint(std::string("G28\nG1 ") + word).rfind("part.gcode:2: ", 0), 0U) << word;
+        EXPECT_EQ(syntax_complaint(std::string("G28\nG1 ") + word).rfind("part.gcode:2: ", 0), 0U)
+            << word;
     EXPECT_EQ(syntax_complaint("G91\nG1 X900000\nG1 X900000\n").rfind("part.gcode:3: ", 0), 0U);
     EXPECT_EQ(syntax_complaint("G20\nG1 X900000\n").rfind("part.gcode:2: ", 0), 0U);
     EXPECT_EQ(syntax_complaint("G28\nG92 X2000000\n").rfind("part.gcode:2: ", 0), 0U);
@@ -101,8 +102,9 @@ TEST(Syntax, refuses_what_is_no_gcode) {
     EXPECT_NE(syntax_complaint("; a remark\nM104 S200\n").find("nothing moves"), std::string::npos);
     EXPECT_NE(syntax_complaint("solid cube\nfacet normal 0 0 1\n").find("nothing moves"),
               std::string::npos);
-    EXPECT_EQ(
-        syntax_complaint(std::string("G28\nG1 X\0 1\n", 11)).rfind("part.gcode:2: there is a NUL", 0), 0U);
+    EXPECT_EQ(syntax_complaint(std::string("G28\nG1 X\0 1\n", 11))
+                  .rfind("part.gcode:2: there is a NUL", 0),
+              0U);
     EXPECT_NE(syntax_complaint("GCDE\1").find("bgcode"), std::string::npos);
     EXPECT_NE(syntax_complaint("PK\3\4zip").find("archive"), std::string::npos);
     EXPECT_NE(syntax_complaint("\x1f\x8bzip").find("gzip"), std::string::npos);
@@ -118,9 +120,11 @@ TEST(Syntax, reads_around_comments_of_any_length) {
 TEST(Syntax, refuses_lines_beyond_a_megabyte) {
     const std::string most(std::size_t{1} << 20, ' ');
     EXPECT_EQ(syntax_complaint("G28\n" + most + "\n"), "no syntax_complaint");
-    EXPECT_EQ(syntax_complaint("G28\n" + most + " \nG28\n").rfind("part.gcode:2: the line is longer", 0),
+    EXPECT_EQ(
+        syntax_complaint("G28\n" + most + " \nG28\n").rfind("part.gcode:2: the line is longer", 0),
+        0U);
+    EXPECT_EQ(syntax_complaint("G28\n" + most + most).rfind("part.gcode:2: the line is longer", 0),
               0U);
-    EXPECT_EQ(syntax_complaint("G28\n" + most + most).rfind("part.gcode:2: the line is longer", 0), 0U);
 }
 
 }  // namespace

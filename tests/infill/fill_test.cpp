@@ -112,7 +112,8 @@ RC_GTEST_PROP(Fill, turns_and_moves_with_the_part, (unsigned seed)) {
     there.centre = moved(Polyline{options.centre}, angle, about, shift)[0];
     for (const NamedPattern& pattern : patterns) {
         const double here_length = total_length(pattern.make(region, options));
-        const double there_length = total_length(pattern.make(moved(region, angle, about, shift), there));
+        const double there_length =
+            total_length(pattern.make(moved(region, angle, about, shift), there));
         const double slack =
             is_concentric(pattern) ? 0.02 * here_length + 2 * options.spacing : 0.01;
         RC_ASSERT(std::abs(here_length - there_length) <= slack);
@@ -150,7 +151,8 @@ RC_GTEST_PROP(Fill, links_join_lines_along_the_edge, (unsigned seed)) {
         const auto joined = pattern.make(region, options);
         RC_ASSERT(some.size() <= loose.size());
         RC_ASSERT(joined.size() <= loose.size());
-        const double added = total_length(some) - total_length(loose), most = total_length(joined) - total_length(loose);
+        const double added = total_length(some) - total_length(loose),
+                     most = total_length(joined) - total_length(loose);
         const auto links = static_cast<double>(loose.size() - some.size());
         RC_ASSERT(added >= -1e-6);
         RC_ASSERT(added <= links * 2 * options.spacing + 1e-6);

@@ -12,7 +12,7 @@ Region rectangle(double width, double height) {
     return {{{{0, 0}, {width, 0}, {width, height}, {0, height}}, {}}};
 }
 
-Region ring(double inner, double outer) {
+Region broad_ring(double inner, double outer) {
     Polygon polygon;
     for (int i = 0; i < 90; ++i) {
         polygon.outer.push_back(outer * unit(2 * pi * i / 90));
@@ -66,7 +66,7 @@ TEST(Stripes, LieWhereMoreIsAskedFor) {
 }
 
 TEST(Stripes, GoRoundAHole) {
-    const Region region = ring(8, 20);
+    const Region region = broad_ring(8, 20);
     const LineField round{[](Vec2 p) { return left_of(p) / std::max(length(p), 1e-9); },
                           [](Vec2) { return 2.0; }};
     const std::vector<Polyline> lines = stripes(region, round, {.seed = 1});

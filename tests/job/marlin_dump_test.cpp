@@ -88,7 +88,8 @@ TEST(MarlinDump, PassesOverWhatIsNoLimitAndSaysSo) {
 TEST(MarlinDump, ThatIsNoneIsRefused) {
     for (const std::string text : {"", "M503\nok\n", "G1 X5\n", "M92\n", "M203 X0\n"})
         EXPECT_TRUE(says(complaint_of([&] { read_dump(text); }), "M503")) << text;
-    EXPECT_TRUE(says(complaint_of([&] { read_dump("echo:  G20 ; inches\nM92 X80\n"); }), "dump.txt:1"));
+    EXPECT_TRUE(
+        says(complaint_of([&] { read_dump("echo:  G20 ; inches\nM92 X80\n"); }), "dump.txt:1"));
 }
 
 RC_GTEST_PROP(MarlinDump, order_of_lines_does_not_matter, ()) {

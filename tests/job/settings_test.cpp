@@ -16,7 +16,8 @@ std::vector<std::string> all_values(const Settings& settings) {
     return values;
 }
 
-Error setting_error(std::string_view name, std::string_view value, std::string_view where = "--set") {
+Error setting_error(std::string_view name, std::string_view value,
+                    std::string_view where = "--set") {
     Settings settings;
     try {
         set(settings, name, value, where);

@@ -81,7 +81,8 @@ TEST(VibrationTable, RefusesWhatCannotBe) {
              Wrong{"screw.support = \"glued\"", "fixed-free"},
              Wrong{"frequenz = [1, 2]", "is not a key"},
          }) {
-        const std::string words = vibration_complaint(std::string("[vibration]\n") + wrong.text + "\n");
+        const std::string words =
+            vibration_complaint(std::string("[vibration]\n") + wrong.text + "\n");
         EXPECT_NE(words.find(wrong.says), words.npos) << wrong.text << ": " << words;
         EXPECT_EQ(words.find('\n'), words.npos);
     }

@@ -57,8 +57,9 @@ TEST(Smooth, KeepsWhatIsLaidDownAndSaid) {
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(smoothed_number(outcome.out, "layers_smoothed"), 3) << outcome.out;
     const auto after = outcome.out.find("\"after\"");
-    EXPECT_NEAR(smoothed_number(outcome.out, "volume_mm3", after) / smoothed_number(outcome.out, "volume_mm3"), 1,
-                3e-3);
+    EXPECT_NEAR(smoothed_number(outcome.out, "volume_mm3", after) /
+                    smoothed_number(outcome.out, "volume_mm3"),
+                1, 3e-3);
     for (const char* key : {"length_mm",
                             "points",
                             "infill_length_mm",
@@ -97,7 +98,9 @@ TEST(Smooth, KeepsWhatIsLaidDownAndSaid) {
     const Outcome again = beadwork("simulate " + out + " --quiet --json -");
     EXPECT_EQ(again.status, 0);
     EXPECT_EQ(again.err, before.err);
-    EXPECT_NEAR(smoothed_number(again.out, "filament_mm") / smoothed_number(before.out, "filament_mm"), 1, 3e-3);
+    EXPECT_NEAR(
+        smoothed_number(again.out, "filament_mm") / smoothed_number(before.out, "filament_mm"), 1,
+        3e-3);
 }
 
 TEST(Smooth, LeavesLayersThatCannotBeMoved) {
@@ -148,12 +151,13 @@ struct RefusedSmoothing {
 TEST(Smooth, RefusesWhatCannotBe) {
     const Folder folder;
     const std::string file = folder.write("a.gcode", printed());
-    for (const RefusedSmoothing& row :
-         {RefusedSmoothing{"--tolerance 0", "no tolerance", 2},
-          RefusedSmoothing{"--outer-tolerance -1", "no tolerance", 2},
-          RefusedSmoothing{"--tolerance 0.7", "wider than a bead", 2},
-          RefusedSmoothing{"--modes 0,22", "is no mode", 2}, RefusedSmoothing{"--modes 14,101", "is no mode", 2},
-          RefusedSmoothing{"--modes 14", "two numbers", 2}, RefusedSmoothing{"--law K9", "K9", 2}}) {
+    for (const RefusedSmoothing& row : {RefusedSmoothing{"--tolerance 0", "no tolerance", 2},
+                                        RefusedSmoothing{"--outer-tolerance -1", "no tolerance", 2},
+                                        RefusedSmoothing{"--tolerance 0.7", "wider than a bead", 2},
+                                        RefusedSmoothing{"--modes 0,22", "is no mode", 2},
+                                        RefusedSmoothing{"--modes 14,101", "is no mode", 2},
+                                        RefusedSmoothing{"--modes 14", "two numbers", 2},
+                                        RefusedSmoothing{"--law K9", "K9", 2}}) {
         const Outcome outcome =
             beadwork("smooth " + file + " -o " + (folder / "b.gcode") + " " + row.options);
         EXPECT_EQ(outcome.status, row.status) << row.options;

@@ -39,7 +39,8 @@ double vibration_number(const std::string& json, const std::string& key) {
     return at == json.npos ? -1 : std::stod(json.substr(at + key.size() + 4));
 }
 
-double vibration_number(const std::string& json, const std::string& object, const std::string& key) {
+double vibration_number(const std::string& json, const std::string& object,
+                        const std::string& key) {
     return vibration_number(json.substr(json.find("\"" + object + "\"")), key);
 }
 
@@ -86,7 +87,8 @@ TEST(VibrationCommand, TakesArcsAsTheFirmwareChopsThem) {
     ASSERT_EQ(round.status, 0) << round.err;
     EXPECT_NEAR(vibration_number(round.out, "time_s"), vibration_number(chords.out, "time_s"),
                 0.5 * vibration_number(chords.out, "time_s"));
-    EXPECT_NEAR(vibration_number(round.out, "volume_mm3"), vibration_number(chords.out, "volume_mm3"),
+    EXPECT_NEAR(vibration_number(round.out, "volume_mm3"),
+                vibration_number(chords.out, "volume_mm3"),
                 0.02 * vibration_number(chords.out, "volume_mm3"));
     EXPECT_LT(vibration_number(round.out, "rms_acceleration_mm_s2"),
               vibration_number(chords.out, "rms_acceleration_mm_s2"));

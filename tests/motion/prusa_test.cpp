@@ -13,7 +13,7 @@ namespace {
 using test::random_program;
 
 std::vector<Block> prusa_blocks(const std::vector<Command>& program, const PlannerOptions& options,
-                             const Limits& limits = {}) {
+                                const Limits& limits = {}) {
     return test::planned(limits, options, [&](const CommandSink& sink) {
         for (const Command& command : program) sink(command);
     });

@@ -9,15 +9,15 @@
 namespace bead {
 namespace {
 
-struct Sample {
+struct System {
     Rows rows;
     std::vector<double> values;
 };
 
-Sample random_sample(unsigned seed, std::size_t n, const std::vector<double>& truth, double noise) {
+System random_sample(unsigned seed, std::size_t n, const std::vector<double>& truth, double noise) {
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal;
-    Sample sample;
+    System sample;
     for (std::size_t i = 0; i < n; ++i) {
         Row row;
         for (std::size_t j = 0; j < truth.size(); ++j)
@@ -30,7 +30,7 @@ Sample random_sample(unsigned seed, std::size_t n, const std::vector<double>& tr
 
 RC_GTEST_PROP(LeastSquares, FindsWhatMadeTheValues, ()) {
     const std::vector<double> truth{2.5, -1e-3, 4e-6};
-    const Sample s = random_sample(*rc::gen::arbitrary<unsigned>(), 12, truth, 0);
+    const System s = random_sample(*rc::gen::arbitrary<unsigned>(), 12, truth, 0);
     const LinearFit fit = fit_linear(s.rows, s.values);
     for (std::size_t j = 0; j < truth.size(); ++j)
         RC_ASSERT(std::abs(fit.coefficients[j] / truth[j] - 1) < 1e-9);
@@ -39,7 +39,7 @@ RC_GTEST_PROP(LeastSquares, FindsWhatMadeTheValues, ()) {
 
 // The errors are at right angles to every column, and leverages sum to the number of coefficients.
 RC_GTEST_PROP(LeastSquares, ErrorsAreOrthogonalToTheColumns, ()) {
-    const Sample s = random_sample(*rc::gen::arbitrary<unsigned>(), 15, {1, 1e-3}, 0.5);
+    const System s = random_sample(*rc::gen::arbitrary<unsigned>(), 15, {1, 1e-3}, 0.5);
     std::vector<double> weights;
     for (std::size_t i = 0; i < s.rows.size(); ++i) weights.push_back(1.0 + double(i % 4));
     const LinearFit fit = fit_linear(s.rows, s.values, {.weights = weights});
@@ -57,7 +57,7 @@ RC_GTEST_PROP(LeastSquares, ErrorsAreOrthogonalToTheColumns, ()) {
 }
 
 RC_GTEST_PROP(LeastSquares, NonNegativeIsTheBestOfAllThatAre, ()) {
-    const Sample s = random_sample(*rc::gen::arbitrary<unsigned>(), 10, {1, -2e-3, 1e-6}, 1);
+    const System s = random_sample(*rc::gen::arbitrary<unsigned>(), 10, {1, -2e-3, 1e-6}, 1);
     const auto error = [&](const std::vector<double>& x) {
         double sum = 0;
         for (std::size_t i = 0; i < s.rows.size(); ++i)
@@ -87,7 +87,7 @@ TEST(LeastSquares, StandardErrorsAreTheScatter) {
     const std::vector<double> truth{2, 1e-3};
     double sum = 0, told = 0;
     const int samples = 2000;
-    const Sample fixed = random_sample(1, 10, truth, 0);
+    const System fixed = random_sample(1, 10, truth, 0);
     std::mt19937_64 random(2);
     std::normal_distribution<double> normal;
     for (int k = 0; k < samples; ++k) {

@@ -16,7 +16,7 @@ LayoutPicture picture() {
     return p;
 }
 
-std::size_t count(const std::string& text, const std::string& word) {
+std::size_t occurrences(const std::string& text, const std::string& word) {
     std::size_t found = 0;
     for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) ++found;
     return found;
@@ -34,10 +34,10 @@ TEST(LayoutPicture, IsAWholeFileThatSaysWhatItShows) {
 // One stroke per group that has lines, in its ink; the key names it.
 TEST(LayoutPicture, DrawsEachGroupInItsInk) {
     const std::string svg = layout_picture(picture());
-    EXPECT_EQ(count(svg, "fill=\"none\" stroke=\"#b5402f\""), 1U);
-    EXPECT_GE(count(svg, "#112233"), 1U);
+    EXPECT_EQ(occurrences(svg, "fill=\"none\" stroke=\"#b5402f\""), 1U);
+    EXPECT_GE(occurrences(svg, "#112233"), 1U);
     EXPECT_NE(svg.find(">tension<"), svg.npos);
-    EXPECT_EQ(count(svg, "fill=\"none\" stroke=\"#3f8f4f\""), 0U);
+    EXPECT_EQ(occurrences(svg, "fill=\"none\" stroke=\"#3f8f4f\""), 0U);
 }
 
 TEST(LayoutPicture, LaterGroupsLieOnTop) {

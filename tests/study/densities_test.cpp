@@ -8,7 +8,7 @@
 namespace bead {
 namespace {
 
-constexpr Vec2 size{40, 12};
+constexpr Vec2 part_size{40, 12};
 
 Layout walls_and_pads(const LoadCase& load_case) {
     Layout fixed = wall_lines(load_case.part, load_case.print.bead_width, load_case.print.walls);
@@ -23,14 +23,14 @@ Densities solved(const LoadCase& load_case, double area, int iterations = 20) {
 
 double total(const Densities& d) {
     double sum = 0;
-    for (double y = 0.25; y < size.y; y += 0.5)
-        for (double x = 0.25; x < size.x; x += 0.5)
+    for (double y = 0.25; y < part_size.y; y += 0.5)
+        for (double x = 0.25; x < part_size.x; x += 0.5)
             sum += 0.25 * (d.density[0]({x, y}) + d.density[1]({x, y}));
     return sum;
 }
 
 TEST(Densities, SpendWhatTheyMay) {
-    const LoadCase part = cantilever_case(size);
+    const LoadCase part = cantilever_case(part_size);
     for (const double area : {80.0, 160.0}) {
         const Densities d = solved(part, area);
         EXPECT_NEAR(total(d), area, 0.05 * area);
@@ -41,7 +41,7 @@ TEST(Densities, SpendWhatTheyMay) {
 
 // More at the clamp than at the tip, and along the edges more than in the middle.
 TEST(Densities, LieWhereThePartIsStressed) {
-    const Densities d = solved(cantilever_case(size), 120);
+    const Densities d = solved(cantilever_case(part_size), 120);
     const auto both = [&](Vec2 p) { return d.density[0](p) + d.density[1](p); };
     EXPECT_GT(both({6, 10}), 2 * both({34, 10}));
     EXPECT_GT(both({6, 10}), 1.3 * both({6, 6}));
@@ -51,21 +51,21 @@ TEST(Densities, LieWhereThePartIsStressed) {
 }
 
 TEST(Densities, MoreBeadIsStiffer) {
-    const LoadCase part = cantilever_case(size);
+    const LoadCase part = cantilever_case(part_size);
     EXPECT_LT(solved(part, 160).work, solved(part, 80).work);
     EXPECT_GT(solved(part, 80, 1).work, solved(part, 80, 20).work);
 }
 
 TEST(Densities, DoNotCareForTheLoadsSize) {
-    const Densities light = solved(cantilever_case(size, {0, -1}), 100);
-    const Densities heavy = solved(cantilever_case(size, {0, -1000}), 100);
+    const Densities light = solved(cantilever_case(part_size, {0, -1}), 100);
+    const Densities heavy = solved(cantilever_case(part_size, {0, -1000}), 100);
     for (std::size_t i = 0; i < light.density[0].values.size(); ++i)
         EXPECT_NEAR(light.density[0].values[i], heavy.density[0].values[i], 1e-6);
 }
 
 // For a load that may come from two sides there is something for both.
 TEST(Densities, HeedEveryVariant) {
-    LoadCase part = cantilever_case(size, {20, 0});
+    LoadCase part = cantilever_case(part_size, {20, 0});
     const Densities straight = solved(part, 100);
     part.situations[0].loads[0].turn = 0.5;
     const Densities turned = solved(part, 100);

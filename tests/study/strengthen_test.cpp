@@ -13,11 +13,11 @@
 namespace bead {
 namespace {
 
-constexpr Vec2 size{36, 10};
+constexpr Vec2 beam_size{36, 10};
 constexpr double pixel = 0.2;
 
 LoadCase ladder_case() {
-    LoadCase part = cantilever_case(size, {-20, -4});
+    LoadCase part = cantilever_case(beam_size, {-20, -4});
     part.guided = true;
     return part;
 }
@@ -25,8 +25,8 @@ LoadCase ladder_case() {
 Layout ladder(const LoadCase& part) {
     Layout lines = wall_lines(part.part, 0.6, 1);
     for (LayoutLine& pad : pad_lines(part, 1)) lines.push_back(std::move(pad));
-    for (double x = 6; x < size.x - 3; x += 6)
-        lines.push_back({LineKind::compressive, {{x, 0.3}, {x, size.y - 0.3}}});
+    for (double x = 6; x < beam_size.x - 3; x += 6)
+        lines.push_back({LineKind::compressive, {{x, 0.3}, {x, beam_size.y - 0.3}}});
     return lines;
 }
 
@@ -71,7 +71,7 @@ TEST(Braces, NoModesNoBraces) {
 }
 
 TEST(PatchLines, LieBesideTheHottestBeadAndHelp) {
-    LoadCase part = cantilever_case(size, {0, -5});
+    LoadCase part = cantilever_case(beam_size, {0, -5});
     part.guided = true;
     const Layout lines = ladder(part);
     const TestRig rig = rig_of(part, lines);
@@ -122,7 +122,7 @@ TEST(Strengthened, LeavesWhatIsFullAsItIs) {
 }
 
 TEST(Strengthened, DoesNotMendWhatDoesNotHangTogether) {
-    const LoadCase part = cantilever_case(size);
+    const LoadCase part = cantilever_case(beam_size);
     const Layout lines{{LineKind::tensile, {{1, 5}, {5, 5}}},
                        {LineKind::tensile, {{20, 5}, {30, 5}}}};
     const Strengthened same = strengthened(part, lines, {.area = 100, .pixel = pixel});

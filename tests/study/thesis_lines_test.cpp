@@ -13,7 +13,7 @@
 namespace bead {
 namespace {
 
-constexpr Vec2 size{48, 15};
+constexpr Vec2 short_beam{48, 15};
 constexpr ThesisSeeds all_seeds[] = {ThesisSeeds::edges, ThesisSeeds::even, ThesisSeeds::stress};
 
 double asked(const LoadCase& load_case) { return load_case.print.fill * area(load_case.part); }
@@ -26,7 +26,7 @@ std::vector<Polyline> lines_of(const Layout& layout, LineKind kind) {
 }
 
 TEST(ThesisLines, WeighWhatTheCaseSays) {
-    const LoadCase beam = beam_case(size);
+    const LoadCase beam = beam_case(short_beam);
     for (const ThesisSeeds seeds : all_seeds)
         for (const int copies : {0, 4}) {
             const auto lines = thesis_lines(beam, {.seeds = seeds, .copies = copies});
@@ -39,7 +39,7 @@ TEST(ThesisLines, WeighWhatTheCaseSays) {
 }
 
 TEST(ThesisLines, LieInsideTheWallsMiddle) {
-    LoadCase part = cantilever_case(size);
+    LoadCase part = cantilever_case(short_beam);
     part.part = difference(part.part, {{{{20, 5}, {28, 5}, {28, 10}, {20, 10}}, {}}});
     const auto lines = thesis_lines(part, {});
     ASSERT_TRUE(lines);
@@ -51,7 +51,7 @@ TEST(ThesisLines, LieInsideTheWallsMiddle) {
 
 // Single lines go along the stress; both families are there.
 TEST(ThesisLines, FollowTheStress) {
-    const LoadCase part = cantilever_case(size);
+    const LoadCase part = cantilever_case(short_beam);
     const Sampled<PlaneTensor> stress = solid_stress(part, 0, 0.5);
     const auto lines = thesis_lines(part, {.seeds = ThesisSeeds::even, .copies = 0});
     ASSERT_TRUE(lines);
@@ -70,11 +70,11 @@ TEST(ThesisLines, FollowTheStress) {
 
 // No point of the mirrored part's lines is far from the part's own.
 TEST(ThesisLines, OfAMirroredPartAreMirrored) {
-    const LoadCase part = cantilever_case(size, {5, -20});
+    const LoadCase part = cantilever_case(short_beam, {5, -20});
     LoadCase other = part;
     for (Situation& s : other.situations) {
-        s.supports[0].on = {{size.x, 0}, size, {}};
-        s.loads[0] = pull({0, 0}, {0, size.y}, {-5, -20});
+        s.supports[0].on = {{short_beam.x, 0}, short_beam, {}};
+        s.loads[0] = pull({0, 0}, {0, short_beam.y}, {-5, -20});
     }
     const auto lines = thesis_lines(part, {}), mirrored = thesis_lines(other, {});
     ASSERT_TRUE(lines && mirrored);
@@ -82,7 +82,7 @@ TEST(ThesisLines, OfAMirroredPartAreMirrored) {
     for (const LineKind kind : {LineKind::tensile, LineKind::compressive}) {
         std::vector<Polyline> turned = lines_of(mirrored->layout, kind);
         for (Polyline& line : turned)
-            for (Vec2& p : line) p.x = size.x - p.x;
+            for (Vec2& p : line) p.x = short_beam.x - p.x;
         const std::vector<Polyline> own = lines_of(lines->layout, kind);
         EXPECT_EQ(own.size(), turned.size());
         const LineIndex near(own, 1.0);
@@ -107,13 +107,13 @@ TEST(ThesisLines, AreThickerWhereMoreIsCarried) {
 }
 
 TEST(ThesisLines, AreNoneWhereWallsTakeAll) {
-    LoadCase part = cantilever_case(size);
+    LoadCase part = cantilever_case(short_beam);
     part.print.fill = 0.05;
     EXPECT_FALSE(thesis_lines(part, {}));
 }
 
 TEST(ThesisLines, AreTheSameEachTime) {
-    const LoadCase part = beam_case(size);
+    const LoadCase part = beam_case(short_beam);
     const auto once = thesis_lines(part, {.seeds = ThesisSeeds::stress});
     const auto again = thesis_lines(part, {.seeds = ThesisSeeds::stress});
     ASSERT_TRUE(once && again);
