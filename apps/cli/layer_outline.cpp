@@ -33,6 +33,18 @@ std::vector<Polyline> outer_loops(const Toolpath& layer) {
     return lines;
 }
 
+// Thin parts have outer walls that are no loops.
+Region outer_beads(const Toolpath& layer) {
+    std::vector<WideLine> beads;
+    for (const Path& path : layer) {
+        if (path.role != Role::outer_wall) continue;
+        Polyline line;
+        for (const Vec3& point : path.points) line.push_back(flat(point));
+        beads.push_back({std::move(line), spacing(path.bead)});
+    }
+    return covered_by(beads, Corner::round);
+}
+
 struct Walls {
     double outer = 0, all = 0, spacing = 0;  // mm
 };
@@ -55,7 +67,8 @@ void add_coverage(const LayerPair& layer, PathFigures& before, PathFigures& afte
     const std::vector<Polyline> loops = outer_loops(layer.before);
     if (loops.empty()) return;
     const Walls walls = walls_of(layer.before);
-    const Region outline = offset(region_of(loops, FillRule::even_odd), walls.spacing / 2);
+    const Region outline = united(offset(region_of(loops, FillRule::even_odd), walls.spacing / 2),
+                                  outer_beads(layer.before));
     const double band =
         walls.spacing * std::max(1.0, std::round(walls.all / std::max(walls.outer, 1e-9)));
     const std::vector<Polyline> curves = outline_curves(loops);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <span>
 #include <utility>
 
 namespace bead {
@@ -21,6 +22,24 @@ double width_of(double area, double height) {
     const double round = pi / 4 * height * height;
     if (area < round) return area / (pi / 4 * height);
     return (area - round) / height + height;
+}
+
+bool goes_on(const Path& path, const Path& next) {
+    const auto is_wall = [](Role role) { return role == Role::outer_wall || role == Role::wall; };
+    return is_wall(path.role) && is_wall(next.role) &&
+           length(path.points.back() - next.points.front()) < hair;
+}
+
+// Slicers call the part of an outer wall that overhangs a wall by another name: it is the same
+// loop.
+void name_overhangs(Toolpath& layer) {
+    for (std::size_t first = 0, end = 0; first < layer.size(); first = end) {
+        end = first + 1;
+        while (end < layer.size() && goes_on(layer[end - 1], layer[end])) ++end;
+        const std::span<Path> stroke(&layer[first], end - first);
+        if (std::ranges::find(stroke, Role::outer_wall, &Path::role) == stroke.end()) continue;
+        for (Path& path : stroke) path.role = Role::outer_wall;
+    }
 }
 
 std::string_view tag_of(std::string_view comment, std::string_view name) {
@@ -52,6 +71,7 @@ class LayerPlanner::Reading {
             }
         }
         close();
+        name_overhangs(plan_.whole);
         count_role();
         plan_.after = place_now(layer_.after.place, layer_.after.feed);
         if (plan_.tail_begin == layer_.lines.size()) plan_.tail = plan_.after;

@@ -123,7 +123,7 @@ Region opened(const Region& region, double radius) {
     return offset(offset(region, -radius), radius);
 }
 
-Region covered_by(const std::vector<WideLine>& lines) {
+Region covered_by(const std::vector<WideLine>& lines, Corner corner) {
     constexpr double miter_limit = 2;
     std::map<double, std::vector<const WideLine*>> by_width;
     for (const WideLine& line : lines) by_width[line.width].push_back(&line);
@@ -135,7 +135,10 @@ Region covered_by(const std::vector<WideLine>& lines) {
                 line->points.size() > 3 && line->points.front() == line->points.back();
             cl::Path path = to_path(line->points);
             if (closed) path.pop_back();
-            clipper.AddPath(path, cl::jtMiter, closed ? cl::etClosedLine : cl::etOpenButt);
+            const cl::EndType end = closed                    ? cl::etClosedLine
+                                    : corner == Corner::round ? cl::etOpenRound
+                                                              : cl::etOpenButt;
+            clipper.AddPath(path, corner == Corner::round ? cl::jtRound : cl::jtMiter, end);
         }
         cl::Paths bands;
         clipper.Execute(bands, width / 2 * units_per_mm);

@@ -27,12 +27,12 @@ Region offset(const Region& region, double distance, Corner corner = Corner::mit
 Region opened(const Region& region, double radius);
 
 // What bands along lines cover, together: straight across at the ends of an open line, corners
-// mitred; a line that ends where it began is a closed band.
+// mitred, or both round; a line that ends where it began is a closed band.
 struct WideLine {
     Polyline points;
     double width = 0;  // mm
 };
-Region covered_by(const std::vector<WideLine>& lines);
+Region covered_by(const std::vector<WideLine>& lines, Corner corner = Corner::miter);
 
 // The parts of open lines that lie inside (or outside) the region. Clipper's order is not kept.
 std::vector<Polyline> inside_parts(const std::vector<Polyline>& lines, const Region& region);

@@ -39,11 +39,11 @@ std::vector<Line> wall_lines(const Toolpath& layer) {
     return lines;
 }
 
-Region covered(const std::vector<Line>& lines) {
+Region covered(const std::vector<Line>& lines, Corner corner = Corner::miter) {
     std::vector<WideLine> wide;
     wide.reserve(lines.size());
     for (const Line& line : lines) wide.push_back({line.points, line.width});
-    return covered_by(wide);
+    return covered_by(wide, corner);
 }
 
 double laid(const std::vector<Line>& lines) {
@@ -59,11 +59,21 @@ double farthest(const std::vector<Polyline>& from, const SegmentLattice& to) {
     return result;
 }
 
-double outline_deviation(const Region& outer_beads, const Region& outline) {
-    const std::vector<Polyline> edges = boundary_curves(outer_beads);
-    const std::vector<Polyline> outlines = boundary_curves(outline);
+// A bead is round where it turns: into a sharper corner of the part it does not reach.
+Region reached(const Region& outline, const std::vector<Line>& outer) {
+    constexpr double share = 0.47;  // less than half: what is as wide as a bead stays
+    double widest = 0;
+    for (const Line& line : outer) widest = std::max(widest, line.width);
+    const double radius = share * widest;
+    return offset(offset(outline, -radius), radius, Corner::round);
+}
+
+double outline_deviation(const std::vector<Line>& outer, const Region& outline) {
+    const Region beads = covered(outer, Corner::round);
+    const std::vector<Polyline> edges = boundary_curves(beads);
+    const std::vector<Polyline> outlines = boundary_curves(reached(outline, outer));
     if (edges.empty() || outlines.empty()) return 0;
-    const std::vector<Polyline> beyond = boundary_curves(difference(outer_beads, outline));
+    const std::vector<Polyline> beyond = boundary_curves(difference(beads, outline));
     return std::max(farthest(outlines, SegmentLattice(edges)),
                     farthest(beyond, SegmentLattice(outlines)));
 }
@@ -80,7 +90,7 @@ Coverage wall_coverage(const Toolpath& layer, const Region& outline, double band
             .underfill = area(difference(wall, beads)),
             .overfill = std::max(0.0, laid(lines) - area(beads)),
             .outside = area(difference(beads, outline)),
-            .outline_deviation = outline_deviation(covered(outer), outline)};
+            .outline_deviation = outline_deviation(outer, outline)};
 }
 
 }  // namespace bead

@@ -15,7 +15,9 @@ struct Coverage {                  // mm²; mm
     double overfill = 0;           // of walls, laid where a wall was already
     double outside = 0;            // of walls, outside the part
     double outline_deviation = 0;  // largest distance from the part's outline to the edge of the
-                                   // outer walls' beads, or from that edge, outside, to the outline
+                                   // outer walls' beads, or from that edge, outside, to the
+                                   // outline; beads are round at corners, so those of the part
+                                   // count as far as such a bead reaches
 };
 
 // One layer. The outline is the part's, curves flattened finely if it is to be the true one.

@@ -10,12 +10,11 @@ namespace {
 constexpr double same_place = 1e-6;  // mm
 
 bool meets(const Path& path, const Path& next) {
-    return path.role == next.role && path.bead.height == next.bead.height &&
-           length(path.points.back() - next.points.front()) <= same_place;
+    return path.role == next.role && length(path.points.back() - next.points.front()) <= same_place;
 }
 
 void append(Lane& lane, const Path& path) {
-    const Flow flow{section(path.bead), path.speed, path.role, 0};
+    const Flow flow{section(path.bead), path.speed, path.role, 0, path.bead.height};
     for (const Vec3& point : path.points) {
         lane.level = lane.level && std::abs(point.z - lane.z) <= 1e-9;
         const Vec2 here = flat(point);
@@ -52,7 +51,8 @@ void close(Lane& lane) {
 }  // namespace
 
 bool alike(const Flow& a, const Flow& b) {
-    if (a.speed != b.speed || a.role != b.role || a.ramp != b.ramp) return false;
+    if (a.speed != b.speed || a.role != b.role || a.ramp != b.ramp || a.height != b.height)
+        return false;
     return a.ramp > 0 || std::abs(a.section - b.section) <= 0.02 * std::max(a.section, b.section);
 }
 

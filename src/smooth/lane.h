@@ -10,7 +10,8 @@ struct Flow {
     double section = 0;  // mm²
     double speed = 0;    // mm/s
     Role role = Role::other;
-    int ramp = 0;  // above 0: on the way from one section to another, at that step of it
+    int ramp = 0;       // above 0: on the way from one section to another, at that step of it
+    double height = 0;  // mm, of the bead
     bool operator==(const Flow&) const = default;
 };
 

@@ -20,6 +20,13 @@ double width_of(const Lane& lane) {
     return bead::width_of(lane.flows.front().section, lane.height);
 }
 
+// Some slicers lay what overhangs of a wall higher; between beads of two heights nothing is linked.
+bool may_follow(const Lane& lane, const Lane& next) {
+    const auto is_as_high = [&](const Flow& flow) { return flow.height == lane.height; };
+    return next.role != Role::outer_wall && std::ranges::all_of(lane.flows, is_as_high) &&
+           std::ranges::all_of(next.flows, is_as_high);
+}
+
 Polyline even_samples(const Lane& lane) {
     Polyline points;
     const double all = loop_length(lane.points);
@@ -89,7 +96,7 @@ std::vector<std::vector<std::size_t>> nested_walls(const std::vector<Lane>& lane
             std::optional<std::size_t> next;
             double nearest = 0;
             for (const auto& [other, near] : beside[*here]) {
-                if (used[other] || lanes[walls[other]].role == Role::outer_wall) continue;
+                if (used[other] || !may_follow(lanes[walls[*here]], lanes[walls[other]])) continue;
                 const double mean = near.sum / near.count;
                 if (!all_round(beside, *here, other) || (next && mean >= nearest)) continue;
                 next = other;

