@@ -17,8 +17,8 @@ Chain line_chain(std::size_t lane, Ribbon line, bool reversible) {
     const std::size_t n = p.size();
     const Vec2 first = (p[1] - p[0]) / distance(p[0], p[1]);
     const Vec2 last = (p[n - 1] - p[n - 2]) / distance(p[n - 1], p[n - 2]);
-    chain.windings.push_back({{{false, 0}}, {p[0], first}, {p[n - 1], last}, 0});
-    if (reversible) chain.windings.push_back({{{true, 0}}, {p[n - 1], -last}, {p[0], -first}, 0});
+    chain.windings.push_back({{{false}}, {p[0], first}, {p[n - 1], last}});
+    if (reversible) chain.windings.push_back({{{true}}, {p[n - 1], -last}, {p[0], -first}});
     return chain;
 }
 

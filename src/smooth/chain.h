@@ -16,7 +16,6 @@ struct Winding {
     };
     std::vector<Turn> turns;  // one per ring
     StrokeEnd in, out;
-    double worse = 0;  // mm of travel that would be gone to avoid it: corners under its links
 };
 
 struct Chain {

@@ -8,16 +8,35 @@ namespace bead {
 namespace {
 
 struct Rung {
-    double wall = 0.025;  // mm, chord from curve
-    bool wall_blends = true;
+    double wall = 0.025;   // mm, chord from curve
     double frequency = 1;  // of the highest mode: how much of it is heeded
+    bool rounds_walls = true;
     bool fine_travel = true;
+    bool fine_links = true;
+    bool rounds_infill = true;
 };
-// From fine to coarse; the first with which the budget can be kept is taken.
-constexpr std::array rungs{Rung{0.025, true, 1},        Rung{0.033, true, 1},
-                           Rung{0.033, true, 0.8},      Rung{0.033, false, 0.65},
-                           Rung{0.045, false, 0.5},     Rung{0.045, false, 0.5, false},
-                           Rung{0.045, false, 0, false}};
+// From fine to coarse; the first with which the budget can be kept is taken. The last ones are for
+// parts of few points and real corners.
+constexpr std::array rungs{
+    Rung{.wall = 0.025},
+    Rung{.wall = 0.033},
+    Rung{.wall = 0.033, .frequency = 0.8},
+    Rung{.wall = 0.033, .frequency = 0.65, .rounds_walls = false},
+    Rung{.wall = 0.045, .frequency = 0.5, .rounds_walls = false},
+    Rung{.wall = 0.045, .frequency = 0.5, .rounds_walls = false, .fine_travel = false},
+    Rung{.wall = 0.045, .frequency = 0, .rounds_walls = false, .fine_travel = false},
+    Rung{.wall = 0.045,
+         .frequency = 0,
+         .rounds_walls = false,
+         .fine_travel = false,
+         .fine_links = false},
+    Rung{.wall = 0.045,
+         .frequency = 0,
+         .rounds_walls = false,
+         .fine_travel = false,
+         .fine_links = false,
+         .rounds_infill = false},
+};
 constexpr double quietest = 20, loudest = 1000;  // mm/s²
 
 ChordOptions chord_options(const SmoothOptions& options, const Rung& rung, double loudness) {
@@ -31,6 +50,7 @@ ChordOptions chord_options(const SmoothOptions& options, const Rung& rung, doubl
         chords.travel = 0.4;
         chords.travel_turn = 50 * pi / 180;
     }
+    chords.fine_links = rung.fine_links;
     if (options.stages.chords) return chords;
     chords.wall = chords.infill = chords.travel = 0.01;
     chords.quiet = std::numeric_limits<double>::infinity();
@@ -59,7 +79,7 @@ class Budget {
         const ChordOptions chords = chord_options(options_, rung, loudness);
         std::size_t count = 1 + travel_points(rung.fine_travel);
         for (const LaidStroke& laid : strokes_) {
-            count += chord_count(laid.stroke(rung.wall_blends), chords);
+            count += chord_count(laid.stroke(rung.rounds_walls, rung.rounds_infill), chords);
             if (static_cast<double>(count) > most_) return false;
         }
         return true;
@@ -80,8 +100,8 @@ class Budget {
         std::vector<ChordedStroke> result;
         result.reserve(strokes_.size());
         for (const LaidStroke& laid : strokes_)
-            result.push_back(
-                {chorded(laid.travel, chords), chorded(laid.stroke(rung.wall_blends), chords)});
+            result.push_back({chorded(laid.travel, chords),
+                              chorded(laid.stroke(rung.rounds_walls, rung.rounds_infill), chords)});
         return result;
     }
 

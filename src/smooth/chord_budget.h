@@ -10,10 +10,12 @@ struct LaidStroke {
     std::size_t chain = 0;
     MeasuredRibbon travel;  // may be empty
     MeasuredRibbon smooth;  // corners rounded
-    MeasuredRibbon plain;   // as wound; none of infill, whose corners are always rounded
+    MeasuredRibbon plain;   // as wound; empty if nothing was rounded
+    bool infill = false;
 
-    [[nodiscard]] const MeasuredRibbon& stroke(bool wall_blends) const {
-        return wall_blends || plain.at.empty() ? smooth : plain;
+    [[nodiscard]] const MeasuredRibbon& stroke(bool rounds_walls, bool rounds_infill) const {
+        const bool rounds = infill ? rounds_infill : rounds_walls;
+        return rounds || plain.at.empty() ? smooth : plain;
     }
 };
 

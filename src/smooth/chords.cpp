@@ -23,6 +23,7 @@ struct Limits {
 
 Limits limits_for(const Flow& flow, const ChordOptions& options) {
     if (flow.role == Role::travel) return {options.travel, options.travel_turn};
+    if (!options.fine_links && flow.ramp > 0) return {options.infill, options.travel_turn};
     if (flow.role == Role::infill) return {options.infill, options.turn};
     return {options.wall, options.turn};
 }
@@ -44,13 +45,18 @@ class ChordFrom {
         const std::vector<Flow>& flows = measured_.ribbon.flows;
         std::size_t end = first_ + 1;
         while (end < flows.size() &&
-               (end < measured_.same_until[first_] || alike(flow_, flows[end])) &&
+               (end < measured_.same_until[first_] || may_share(flows[end])) &&
                may_lead_to(end + 1))
             ++end;
         return end;
     }
 
   private:
+    [[nodiscard]] bool may_share(const Flow& next) const {
+        if (options_.fine_links || flow_.ramp == 0) return alike(flow_, next);
+        return next.ramp > 0 && next.role == flow_.role && next.speed == flow_.speed;
+    }
+
     [[nodiscard]] bool may_lead_to(std::size_t end) const {
         const double turn = measured_.turn[end - 1] - measured_.turn[first_];
         const double run = measured_.at[end] - measured_.at[first_];

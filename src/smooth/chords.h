@@ -18,6 +18,7 @@ struct ChordOptions {
     double turn = 20 * pi / 180, travel_turn = 16 * pi / 180;  // rad, over one chord
     // Bends tighter than that are corners to every time law: few chords, so that it sees them.
     double tight_radius = 0.8, tight_turn = 50 * pi / 180;  // mm, rad
+    bool fine_links = true;                                 // or one chord over all of a ramp
     double frequency = 22;                                  // Hz, the highest mode
     double loudness = 150;       // mm/s², the a at which (r² - 1)³ / r is 1; less: more points
     double acceleration = 1000;  // mm/s², across a bend

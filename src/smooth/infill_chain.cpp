@@ -20,7 +20,6 @@ struct Step {
     Winding::Turn turn;
     std::size_t before = 0;  // index among the steps of the ring before
     StrokeEnd in, out;       // of its first ring; of its last
-    double worse = 0;
 };
 
 class ChainBuilder {
@@ -73,11 +72,8 @@ class ChainBuilder {
             const double gap = gap_of(ring, options_.link);
             for (int i = 0; i < options_.seams; ++i) {
                 const double seam = ring.length * i / options_.seams;
-                steps.push_back({{backward, seam},
-                                 0,
-                                 end_at(ring, seam),
-                                 end_at(ring, seam - gap),
-                                 corner_cost(ring, seam, gap + 0.5, 1)});
+                steps.push_back(
+                    {{backward, seam}, 0, end_at(ring, seam), end_at(ring, seam - gap)});
             }
         }
         return steps;
@@ -134,8 +130,7 @@ class ChainBuilder {
         return Step{{turned, link.lands},
                     before,
                     step.in,
-                    end_at(*link.to, link.lands - gap_of(*link.to, options_.link)),
-                    step.worse + corner_cost(*link.to, link.lands, link_, 1)};
+                    end_at(*link.to, link.lands - gap_of(*link.to, options_.link))};
     }
 
     [[nodiscard]] bool near_each_other(const Link& link) const {
@@ -167,7 +162,7 @@ class ChainBuilder {
             chain.backward.push_back(std::move(backward_[i]));
         }
         for (const Step& last : steps.back()) {
-            Winding winding{std::vector<Winding::Turn>(way.size()), last.in, last.out, last.worse};
+            Winding winding{std::vector<Winding::Turn>(way.size()), last.in, last.out};
             const Step* step = &last;
             for (std::size_t i = way.size(); i-- > 0;) {
                 winding.turns[i] = step->turn;

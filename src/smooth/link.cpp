@@ -45,16 +45,4 @@ void append_link(Ribbon& ribbon, const Link& link, const Flow& from, const Flow&
     }
 }
 
-// A corner turns more over a quarter of the stretch than a curve does.
-double corner_cost(const Ring& ring, double place, double before, double after) {
-    constexpr double dear = 6, gentle = 0.76;  // mm, cosine
-    Vec2 along = direction_at(ring, place - before);
-    for (int i = 1; i <= 4; ++i) {
-        const Vec2 next = direction_at(ring, place - before + (before + after) * i / 4);
-        if (dot(along, next) < gentle) return dear;
-        along = next;
-    }
-    return 0;
-}
-
 }  // namespace bead

@@ -21,8 +21,4 @@ StrokeEnd end_at(const Ring& ring, double place);
 const Flow& flow_at(const Ring& ring, double place);
 const Ring& ring_of(const Chain& chain, const Winding& winding, std::size_t i);
 
-// mm that a corner within the stretch before and after a place is worth; links and seams avoid
-// them.
-double corner_cost(const Ring& ring, double place, double before, double after);
-
 }  // namespace bead

@@ -32,10 +32,10 @@ struct Reached {
 };
 using Column = std::vector<Reached>;  // rising in cost
 
-Column column(const Search& search, std::size_t chain, const std::vector<std::size_t>& windings) {
+Column column(const std::vector<std::size_t>& windings) {
     Column column;
-    for (const std::size_t i : windings)
-        column.push_back({search.chains[chain].windings[i].worse, i, 0});
+    column.reserve(windings.size());
+    for (const std::size_t i : windings) column.push_back({0, i, 0});
     return column;
 }
 
@@ -84,7 +84,7 @@ double choose(Search& search, std::vector<OrderedStroke>& strokes, Vec2 start,
               const Choices& choices) {
     std::vector<Column> columns;
     for (std::size_t i = 0; i < strokes.size(); ++i) {
-        Column here = column(search, strokes[i].chain, choices[i]);
+        Column here = column(choices[i]);
         if (i == 0)
             for (Reached& state : here)
                 state.cost +=
@@ -137,11 +137,11 @@ Insertion inserted(Search& search, const std::vector<OrderedStroke>& strokes, st
     for (const std::size_t w : spread(search.chains[chain], few)) {
         const Winding& winding = search.chains[chain].windings[w];
         const Vec2 before = i > 0 ? winding_of(search, strokes[i - 1]).out.at : start;
-        double detour = winding.worse - now + distance(before, winding.in.at);
+        double detour = distance(before, winding.in.at) - now;
         if (i < strokes.size())
             detour += distance(winding.out.at, winding_of(search, strokes[i]).in.at);
         if (detour >= best.detour) continue;
-        detour = winding.worse - now;
+        detour = -now;
         detour += i > 0 ? cost(search, strokes[i - 1], {chain, w}) : distance(start, winding.in.at);
         if (detour < best.detour && i < strokes.size())
             detour += cost(search, {chain, w}, strokes[i]);
@@ -161,8 +161,7 @@ bool moved(Search& search, std::vector<OrderedStroke>& strokes, const std::vecto
         const double with =
             step_cost(search, strokes, i, start) + step_cost(search, strokes, i + 1, start);
         strokes.erase(at);
-        const double gained =
-            with - step_cost(search, strokes, i, start) + winding_of(search, old).worse;
+        const double gained = with - step_cost(search, strokes, i, start);
         Insertion best{gained - 1e-6, i, old.winding};
         for (std::size_t k = 0; k <= strokes.size(); ++k) {
             if (k > 0 && phases[strokes[k - 1].chain] > phases[chain]) break;

@@ -102,7 +102,7 @@ class Smoothing {
             const Winding& winding = chain.windings[stroke.winding];
             const Vec2 way = winding.in.at - here.at;
             if (strokes.empty() && length(way) > same_place) here.along = way / length(way);
-            LaidStroke laid{stroke.chain, measured(travel_to(here, winding.in)), {}, {}};
+            LaidStroke laid{stroke.chain, measured(travel_to(here, winding.in)), {}, {}, false};
             round(laid, wound(chain, winding));
             here = winding.out;
             strokes.push_back(std::move(laid));
@@ -122,7 +122,8 @@ class Smoothing {
         RoundedRibbon round = rounded(plain, tolerances);
         laid.smooth = measured(std::move(round.ribbon));
         blends_ += round.blends;
-        if (plain.flows.front().role != Role::infill) laid.plain = measured(std::move(plain));
+        laid.infill = plain.flows.front().role == Role::infill;
+        if (round.blends > 0) laid.plain = measured(std::move(plain));
     }
 
     void append(Toolpath& path, const LaidStroke& laid, const ChordedStroke& chords) const {
@@ -179,7 +180,18 @@ SmoothedLayer smoothed(const Toolpath& layer, const SmoothOptions& options) {
     if (options.stages.clean)
         for (Lane& lane : lanes)
             if (lane.level) lane = cleaned(std::move(lane));
-    return Smoothing(layer, std::move(lanes), options).result();
+    const double most = options.point_budget * static_cast<double>(points_of(layer));
+    const auto is_affordable = [&](const SmoothedLayer& result) {
+        return !options.stages.chords || static_cast<double>(points_of(result.path)) <= most;
+    };
+    SmoothedLayer linked = Smoothing(layer, lanes, options).result();
+    if (is_affordable(linked)) return linked;
+    // Few points and real corners: links cost more points than there are to spend.
+    SmoothOptions unlinked = options;
+    unlinked.stages.chains = false;
+    SmoothedLayer plain = Smoothing(layer, lanes, unlinked).result();
+    if (is_affordable(plain)) return plain;
+    return {.path = layer, .kept = static_cast<int>(lanes.size())};
 }
 
 }  // namespace bead

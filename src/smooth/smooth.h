@@ -42,7 +42,8 @@ struct SmoothedLayer {
     int kept = 0;  // strokes left as they were since a tolerance could not be kept
 };
 
-// A layer without anything deposited comes back as it is.
+// A layer without anything deposited comes back as it is, and so does one that would need more
+// points than the budget has.
 SmoothedLayer smoothed(const Toolpath& layer, const SmoothOptions& options = {});
 
 }  // namespace bead

@@ -30,11 +30,9 @@ Winding wall_winding(const Chain& chain, double seam, bool backward) {
     double leaves = seam;
     winding.turns.push_back({backward, seam});
     winding.in = end_at(rings[0], seam);
-    winding.worse = corner_cost(rings[0], seam, 1, n > 1 ? chain.link + 1 : 1);
     for (std::size_t i = 1; i < n; ++i) {
         const double there = nearest_place(rings[i], point_at(rings[i - 1], leaves));
         winding.turns.push_back({backward, there + chain.link});
-        winding.worse += corner_cost(rings[i], there, 1, chain.link + 1) / 2;
         leaves = there;
     }
     winding.out = end_at(rings[n - 1], n > 1 ? winding.turns.back().place : seam);
