@@ -8,9 +8,11 @@
 #include "fem/pixel_solver.h"
 #include "fem/pixel_stress.h"
 #include "geom/polygon.h"
+#include "strength/failure_index.h"
 #include "strength/load_variants.h"
 #include "strength/printed_pixels.h"
 #include "study/blur.h"
+#include "study/fixed_lines.h"
 
 namespace bead {
 namespace {
@@ -19,6 +21,8 @@ constexpr double softness = 0.02;  // of the families, in all directions: joints
 constexpr double soft_poisson = 0.3;
 constexpr int widened_from = 6;               // iteration
 constexpr double widening = 5, blending = 2;  // mm: saturated zones grow by this, softly
+constexpr double persistence = 0.3;  // of an excess, that is added to what is remembered of it
+constexpr double most_excess = 4;
 constexpr double least_counted = 0.05;  // densities that say how stress and density go together
 constexpr double most_counted = 0.94;
 constexpr int fine = 6;  // fine pixels per cell, for what walls and pads cover
@@ -49,6 +53,8 @@ class Iteration {
         budget_ = options.area / (model_.grid.size * model_.grid.size);
         for (Field& r : density_) r.assign(model_.factor.size(), budget_ / cells_ / 2);
         frame_.assign(model_.factor.size(), {});
+        excess_.assign(model_.factor.size(), 1);
+        judged_ = far_from(model_.grid, patches_of(load_case), options.excluded);
         set_loads();
     }
 
@@ -168,14 +174,16 @@ class Iteration {
         return wanted;
     }
 
-    // Where even solid is not enough the load shall spread: wanted stresses grow around it.
-    void widen(std::array<Field, 2>& wanted) const {
-        Field excess(frame_.size(), 1.0);
-        for (std::size_t p = 0; p < excess.size(); ++p)
-            excess[p] =
-                std::max(1.0, per_stress_ * std::max(wanted[0][p], wanted[1][p]) / options_.most);
-        excess =
-            blurred(widened(excess, model_.grid, widening), model_.factor, model_.grid, blending);
+    // Where even solid is not enough the load shall spread: wanted stresses grow around it, the
+    // longer it stays so the more. Next to loads and supports stress is not judged.
+    void widen(std::array<Field, 2>& wanted) {
+        for (std::size_t p = 0; p < excess_.size(); ++p) {
+            const double now = per_stress_ * std::max(wanted[0][p], wanted[1][p]) / options_.most;
+            if (judged_[p] && now > 0)
+                excess_[p] = std::clamp(excess_[p] * std::pow(now, persistence), 1.0, most_excess);
+        }
+        const Field excess =
+            blurred(widened(excess_, model_.grid, widening), model_.factor, model_.grid, blending);
         for (Field& of : wanted)
             for (std::size_t p = 0; p < of.size(); ++p) of[p] *= std::max(1.0, excess[p]);
     }
@@ -277,7 +285,9 @@ class Iteration {
     std::vector<Variant> variants_;
     PixelModel model_;
     PlaneLaw solid_law_;
-    Field fixed_;  // share of walls and pads
+    Field fixed_;                       // share of walls and pads
+    Field excess_;                      // of stress over what solid bears, remembered; 1: none
+    std::vector<std::uint8_t> judged_;  // per pixel
     double cells_ = 0, budget_ = 0;
     std::vector<Held> held_;
     std::vector<PixelVector> loads_;
@@ -288,6 +298,10 @@ class Iteration {
 };
 
 }  // namespace
+
+double allowed_compression(const SolidMaterial& material) {
+    return 1 + 0.5 * std::max(0.0, material.compressive / material.tensile - 1);
+}
 
 Densities densities(const LoadCase& load_case, const Layout& fixed, const DensityOptions& options) {
     Iteration iteration(load_case, fixed, options);

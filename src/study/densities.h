@@ -18,8 +18,9 @@ struct DensityOptions {
     double cell = 1;  // mm
     int iterations = 40;
     double least = 0.02, most = 1;
-    double compression = 1.25;  // of what tension may be
+    double compression = 1.25;  // of what tension may be; see allowed_compression
     double smoothing = 1;       // mm, of the stress
+    double excluded = 4;        // mm around loads and supports where no excess is seen
 };
 
 // Families: 0 along the first (more tensile) principal stress, 1 across it.
@@ -28,6 +29,10 @@ struct Densities {
     std::array<Sampled<double>, 2> density;  // bead area per area
     double work = 0;                         // N mm, of the first variant: what beads can reach
 };
+
+// Half of what a material bears more in compression than in tension: all of it gains no more, for
+// lines in compression bend.
+double allowed_compression(const SolidMaterial& material);
 
 Densities densities(const LoadCase& load_case, const Layout& fixed, const DensityOptions& options);
 

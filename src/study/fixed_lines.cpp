@@ -30,25 +30,6 @@ std::vector<Polyline> loops_of(const Region& region) {
     return loops;
 }
 
-std::vector<Polyline> patches_of(const LoadCase& load_case) {
-    std::vector<Polyline> lines;
-    const auto append = [&](const Stretch& stretch) {
-        const auto more = stretch_lines(load_case.part, stretch);
-        BEAD_EXPECTS(more);
-        lines.insert(lines.end(), more->begin(), more->end());
-    };
-    for (const Situation& situation : load_case.situations) {
-        for (const Support& support : situation.supports) append(support.on);
-        for (const Load& load : situation.loads) {
-            append(load.on);
-            if (load.move <= 0) continue;
-            append(moved(load_case.part, load.on, load.move));
-            append(moved(load_case.part, load.on, -load.move));
-        }
-    }
-    return lines;
-}
-
 // The stretches of a closed line whose points lie within reach of a patch.
 void append_near(Layout& pads, const Polyline& loop, const LineIndex& patches, double reach) {
     Polyline even = resampled(loop, sample);
@@ -76,6 +57,25 @@ void append_near(Layout& pads, const Polyline& loop, const LineIndex& patches, d
 }
 
 }  // namespace
+
+std::vector<Polyline> patches_of(const LoadCase& load_case) {
+    std::vector<Polyline> lines;
+    const auto append = [&](const Stretch& stretch) {
+        const auto more = stretch_lines(load_case.part, stretch);
+        BEAD_EXPECTS(more);
+        lines.insert(lines.end(), more->begin(), more->end());
+    };
+    for (const Situation& situation : load_case.situations) {
+        for (const Support& support : situation.supports) append(support.on);
+        for (const Load& load : situation.loads) {
+            append(load.on);
+            if (load.move <= 0) continue;
+            append(moved(load_case.part, load.on, load.move));
+            append(moved(load_case.part, load.on, -load.move));
+        }
+    }
+    return lines;
+}
 
 Layout wall_lines(const Region& part, double bead_width, int walls) {
     Layout lines;

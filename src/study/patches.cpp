@@ -16,7 +16,7 @@ constexpr double around = 1;     // mm along a line over which the index is look
 constexpr double shortest_way = 2, longest_way = 15;  // mm, either way from the hot spot
 constexpr double beyond = 1;                          // mm more than is warm
 constexpr double aside = 0.5;                         // mm between copies
-constexpr int most_copies = 8;
+constexpr int most_copies = 20;
 constexpr double outward = 0.05;         // mm, where a copy's room is looked at
 constexpr double room = 0.7;             // share of solid below which a copy has room
 constexpr double inside_share = 0.9;     // of its points that must be inside

@@ -107,7 +107,8 @@ std::optional<Reinforced> reinforced(const LoadCase& load_case, const ReinforceO
     tell(options.progress, 0, "densities");
     const Densities best = densities(load_case, fixed,
                                      {.area = whole * (1 - reserve(load_case.material)) -
-                                              deposited_area(fixed, load_case.print.bead_width)});
+                                              deposited_area(fixed, load_case.print.bead_width),
+                                      .compression = allowed_compression(load_case.material)});
     Reinforced result;
     if (best.work > 0) {
         const double force = total_force(load_variants(load_case).front().loads);

@@ -73,5 +73,33 @@ TEST(Densities, HeedEveryVariant) {
     EXPECT_GT(lean(turned), 1.2 * lean(straight));
 }
 
+TEST(Densities, SpendLessOnCompressionWhereItBearsMore) {
+    const LoadCase part = cantilever_case(size);
+    const auto below = [&](double compression) {
+        return densities(part, walls_and_pads(part),
+                         {.area = 120, .iterations = 20, .compression = compression})
+            .density[1]({12, 2});
+    };
+    EXPECT_LT(below(1.5), 0.95 * below(1));
+    SolidMaterial ductile;
+    ductile.compressive = ductile.tensile;
+    EXPECT_DOUBLE_EQ(allowed_compression(ductile), 1);
+    ductile.compressive = 1.5 * ductile.tensile;
+    EXPECT_DOUBLE_EQ(allowed_compression(ductile), 1.25);
+}
+
+// Where solid is not enough, what is solid grows: more iterations, more of it at the clamp.
+TEST(Densities, GrowWhereSolidIsNotEnough) {
+    const LoadCase part = cantilever_case(size);
+    const auto near_clamp = [&](int iterations) {
+        const Densities d = solved(part, 160, iterations);
+        double sum = 0;
+        for (double y = 0.5; y < size.y; ++y)
+            for (double x = 4.5; x < 10; ++x) sum += d.density[0]({x, y}) + d.density[1]({x, y});
+        return sum;
+    };
+    EXPECT_GT(near_clamp(40), 1.02 * near_clamp(6));
+}
+
 }  // namespace
 }  // namespace bead
