@@ -15,7 +15,7 @@ void print_strengths(const Console& console, std::vector<NamedStrength> designs)
     });
     console.say("{:<30} {:>8} {:>9} {:>9} {:>9} {:>10} {:>9}\n", "design", "g", "N/mm", "breaks N",
                 "buckles N", "sideways N", "N/g");
-    for (const auto& [name, s, is_baseline] : designs) {
+    for (const auto& [name, s, is_baseline, place] : designs) {
         if (!s.holds) {
             console.say("{:<30} {:>8.2f} holds nothing: loads and supports do not hang together\n",
                         name, s.mass);
@@ -29,7 +29,7 @@ void print_strengths(const Console& console, std::vector<NamedStrength> designs)
 }
 
 void warn_of_sideways(const Console& console, const std::vector<NamedStrength>& designs) {
-    for (const auto& [name, s, is_baseline] : designs)
+    for (const auto& [name, s, is_baseline, place] : designs)
         if (s.sideways_load && !s.counts_sideways && *s.sideways_load < s.bears())
             console.warn(
                 fmt::format("{}: buckles out of its plane at {:.1f} N unless it is guided; say "
@@ -53,6 +53,10 @@ Json strength_json(const NamedStrength& design) {
               {"bears_n", s.bears()},
               {"strength_to_weight", strength_to_weight(s)}};
     if (s.sideways_load) json["sideways_buckling_load_n"] = *s.sideways_load;
+    if (design.place)
+        json["place"] = {{"turn_deg", design.place->turn * 180 / pi},
+                         {"mirrored", design.place->mirrored},
+                         {"origin_mm", {design.place->origin.x, design.place->origin.y}}};
     json["counts_sideways"] = s.counts_sideways;
     if (s.peak_load) json["peak_load_n"] = *s.peak_load;
     if (s.anisotropic_load) json["anisotropic_failure_load_n"] = *s.anisotropic_load;

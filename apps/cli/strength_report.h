@@ -6,6 +6,7 @@
 #include "job/case_file.h"
 #include "json_result.h"
 #include "strength/strength.h"
+#include "study/bed_place.h"
 
 namespace bead::cli {
 
@@ -13,6 +14,7 @@ struct NamedStrength {
     std::string name;
     Strength strength;
     bool is_baseline = false;
+    std::optional<BedPlace> place{};  // of a file
 };
 
 // One line per design, the strongest per weight first.

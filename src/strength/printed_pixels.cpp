@@ -53,6 +53,12 @@ std::vector<double> printed_pixels(const Toolpath& layer, const PixelGrid& grid)
     return solid;
 }
 
+double height_of(const Toolpath& layer) {
+    for (const Path& path : layer)
+        if (path.role != Role::travel) return path.bead.height;
+    return 0;
+}
+
 std::vector<BeadDirection> bead_directions(const Toolpath& layer, const PixelGrid& grid) {
     std::vector<BeadDirection> directions(grid.pixels());
     for_printed_segments(layer, [&](Vec2 a, Vec2 b, double radius) {

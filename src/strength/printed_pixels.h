@@ -13,6 +13,9 @@ namespace bead {
 // Per pixel: 1 where there is plastic, else 0. Travel is left out.
 std::vector<double> printed_pixels(const Toolpath& layer, const PixelGrid& grid);
 
+// mm, of the layer's beads; 0 if it has none.
+double height_of(const Toolpath& layer);
+
 // How the plastic lies in a pixel: along the nearest bead, and whether beads cross there.
 struct BeadDirection {
     float angle = 0;          // rad, of the nearest bead

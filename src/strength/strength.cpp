@@ -6,6 +6,7 @@
 
 #include "strength/anisotropic.h"
 #include "strength/coarse_modes.h"
+#include "strength/printed_pixels.h"
 #include "strength/progressive.h"
 #include "strength/sideways_strength.h"
 
@@ -17,11 +18,14 @@ constexpr double coarser = 1.5;    // than the pixels, those on which buckling i
 constexpr double far_above = 1.3;  // more than coarse pixels can be wrong by
 constexpr double buckling_tolerance = 0.005;  // of the load, where the next one is a tenth higher
 
-double mean_volume(std::span<const Toolpath> layers) {
-    double sum = 0;
-    for (const Toolpath& layer : layers)
+// mm³ per mm of height.
+double volume_per_height(std::span<const Toolpath> layers) {
+    double sum = 0, height = 0;
+    for (const Toolpath& layer : layers) {
+        height += height_of(layer);
         for (const Path& path : layer) sum += volume(path);
-    return layers.empty() ? 0 : sum / static_cast<double>(layers.size());
+    }
+    return height > 0 ? sum / height : 0;
 }
 
 double covered_area(const PixelModel& model) {
@@ -31,7 +35,7 @@ double covered_area(const PixelModel& model) {
 }
 
 void weigh(Strength& strength, std::span<const Toolpath> layers, const LoadCase& load_case) {
-    strength.volume = mean_volume(layers) * load_case.thickness / load_case.print.layer_height;
+    strength.volume = volume_per_height(layers) * load_case.thickness;
     strength.mass = strength.volume * load_case.material.density / 1000;
 }
 

@@ -44,7 +44,8 @@ struct Strength {
     }
 };
 
-// `layers`: those of one part, or one that stands for all of them.
+// `layers`: those of one part, or one that stands for all of them; each counts by its height, all
+// together as the case's thickness.
 Strength strength_of(std::span<const Toolpath> layers, const LoadCase& load_case,
                      const StrengthOptions& options);
 

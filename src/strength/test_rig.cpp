@@ -12,13 +12,16 @@
 namespace bead {
 namespace {
 
-// The share of the layers in which a pixel is solid.
+// The share of the height over which a pixel is solid.
 std::vector<double> mean_of(std::span<const Toolpath> layers, const PixelGrid& grid) {
+    double height = 0;
+    for (const Toolpath& layer : layers) height += height_of(layer);
     std::vector<double> mean(grid.pixels(), 0.0);
     for (const Toolpath& layer : layers) {
+        const double share = height_of(layer) / height;
+        if (!(share > 0)) continue;
         const std::vector<double> solid = printed_pixels(layer, grid);
-        for (std::size_t p = 0; p < mean.size(); ++p)
-            mean[p] += solid[p] / static_cast<double>(layers.size());
+        for (std::size_t p = 0; p < mean.size(); ++p) mean[p] += share * solid[p];
     }
     return mean;
 }

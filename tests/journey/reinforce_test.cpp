@@ -127,6 +127,72 @@ TEST(Strength, ComparesWithSlicersAtTheSameWeight) {
     }
 }
 
+std::string sliced(const std::string& name) {
+    return std::string(BEAD_SOURCE_DIR) + "/tests/data/strength/beam_by_" + name + ".gcode";
+}
+
+std::string thin_beam(const Folder& folder, const std::string& size = "40") {
+    std::string text = changed("thickness_mm = 6", "thickness_mm = 1.2\nguided = true");
+    for (std::size_t at = text.find("40,"); at != std::string::npos; at = text.find("40,", at + 1))
+        text.replace(at, 2, size);
+    return folder.write("thin" + size + ".toml", text);
+}
+
+// The same beam of 1.2 mm: by PrusaSlicer 2.5 (two layers, turned by 90 degrees, with a skirt, a
+// brim and a line that primes, absolute extrusion), by CuraEngine 4.13 (four layers, a skirt).
+TEST(Strength, ReadsSlicersFilesWhereverTheyStand) {
+    const Folder folder;
+    const test::Outcome run =
+        beadwork("strength " + thin_beam(folder) + " " + sliced("prusaslicer") + " " +
+                 sliced("cura") + " --no-baselines --progress json --json " + (folder / "a.json"));
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_NE(run.err.find("stands turned by 90"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("\"fraction\": 1.00"), std::string::npos) << run.err;
+    const json designs = parsed(folder / "a.json")["designs"];
+    const json prusa = designs[0], cura = designs[1];
+    EXPECT_NEAR(prusa["place"]["turn_deg"], 90, 1e-9);
+    EXPECT_NEAR(prusa["place"]["origin_mm"][0], 131, 0.02);
+    EXPECT_NEAR(prusa["place"]["origin_mm"][1], 85, 0.02);
+    // Walls of 101.6 mm, six rows of triangles of 5.14 mm, what joins them at the wall.
+    EXPECT_NEAR(prusa["volume_mm3"], 280, 8);
+    EXPECT_NEAR(cura["volume_mm3"], 277, 8);
+    // The same pattern at nearly the same place: as stiff within a tenth.
+    EXPECT_NEAR(cura["stiffness_n_mm"].get<double>() / prusa["stiffness_n_mm"].get<double>(), 1,
+                0.1);
+}
+
+TEST(Strength, TakesFilesAsTold) {
+    const Folder folder;
+    const auto run = [&](const std::string& more, const std::string& size = "40") {
+        return beadwork("strength " + thin_beam(folder, size) + " " + sliced("prusaslicer") +
+                        " --no-baselines --pixel 0.2 " + more);
+    };
+    EXPECT_EQ(run("--turn 90").out, run("").out);
+    EXPECT_EQ(run("--turn 270 --origin 119 125").status, 0);
+    for (const test::Outcome& wrong : {run("--turn 45"), run("--origin 10 10"), run("", "44")}) {
+        EXPECT_EQ(wrong.status, 3) << wrong.err;
+        EXPECT_NE(wrong.err.find("is not the case's part"), std::string::npos) << wrong.err;
+        EXPECT_EQ(std::count(wrong.err.begin(), wrong.err.end(), '\n'), 1) << wrong.err;
+    }
+    const test::Outcome high = beadwork("strength " + folder.write("beam.toml", beam) + " " +
+                                        sliced("cura") + " --no-baselines");
+    EXPECT_EQ(high.status, 3);
+    EXPECT_NE(high.err.find("1.2 mm high together"), std::string::npos) << high.err;
+    EXPECT_EQ(beadwork("strength " + (folder / "beam.toml") + " --no-baselines").status, 2);
+}
+
+TEST(Strength, ShowsOfSlicersPatternsOnlyTheBest) {
+    const Folder folder;
+    const std::string arguments =
+        "strength " + folder.write("beam.toml", beam) + " --phases 1 --pixel 0.2 --json ";
+    ASSERT_EQ(beadwork(arguments + (folder / "all.json")).status, 0);
+    ASSERT_EQ(beadwork(arguments + (folder / "best.json") + " --best").status, 0);
+    const json best = parsed(folder / "best.json")["designs"];
+    ASSERT_EQ(best.size(), 1U);
+    for (const json& design : parsed(folder / "all.json")["designs"])
+        EXPECT_LE(design["strength_to_weight"], best[0]["strength_to_weight"]);
+}
+
 TEST(Stress, TellsWhenAThinPartBuckles) {
     const Folder folder;
     const std::string toml =

@@ -47,6 +47,29 @@ TEST(Strength, DoesNotChangeWithTheLoadsSize) {
     EXPECT_NEAR(light.stiffness, heavy.stiffness, 1e-6 * heavy.stiffness);
 }
 
+// The file's layers need not be as high as the case says.
+TEST(Strength, CountsLayersByTheirHeight) {
+    const Vec2 size{20, 3};
+    const LoadCase bar = bar_case(size, {1, 0});
+    const Toolpath whole = solid_bar(size);
+    const auto of_height = [&](Toolpath layer, double height) {
+        for (Path& path : layer) path.bead = {spacing(path.bead) + (1 - pi / 4) * height, height};
+        return layer;
+    };
+    const std::vector<Toolpath> thin(7, of_height(whole, 0.2));
+    const Strength one = strength_of({&whole, 1}, bar, {.pixel = 0.2, .buckling = false});
+    const Strength many = strength_of(thin, bar, {.pixel = 0.2, .buckling = false});
+    EXPECT_NEAR(many.volume, one.volume, 1e-9);
+    EXPECT_NEAR(many.stiffness, one.stiffness, 1e-6 * one.stiffness);
+    EXPECT_NEAR(many.failure_load, one.failure_load, 1e-6 * one.failure_load);
+
+    Toolpath half = whole;
+    half.resize(3);  // of 5 beads
+    const std::vector<Toolpath> mixed{of_height(whole, 0.45), of_height(half, 0.15)};
+    const Strength mean = strength_of(mixed, bar, {.pixel = 0.2, .buckling = false});
+    EXPECT_NEAR(mean.volume, (0.75 + 0.25 * 3 / 5) * one.volume, 1e-9);
+}
+
 TEST(Strength, TakesTheWorstOfARange) {
     const Vec2 size{20, 3};
     const Toolpath layer = solid_bar(size);
