@@ -34,6 +34,7 @@ struct ReinforceCall {
     ThesisModeOptions thesis;
     double speed = 40;  // mm/s
     std::optional<double> hotend, bed;
+    bool names_material = false;  // by --material
     MachineOptions machine;
     OutputOptions output;
 };
@@ -128,15 +129,36 @@ Reinforced as_the_thesis(const ReinforceCall& options, const LoadCase& load_case
     return found;
 }
 
-Machine machine_of(const ReinforceCall& options) {
+// --hotend and --bed, else --material, else the case's, else PLA's.
+Machine machine_of(const ReinforceCall& options, const LoadCase& load_case) {
     Machine machine = machine_of(options.machine);
-    if (options.hotend) machine.material.hotend = machine.material.hotend_first = *options.hotend;
-    if (options.bed) machine.material.bed = *options.bed;
+    Material& material = machine.material;
+    if (!options.names_material) {
+        if (const std::optional<PrintHeat>& heat = load_case.print.heat) {
+            material.hotend = heat->hotend;
+            material.hotend_first = heat->hotend_first;
+            material.bed = heat->bed;
+        }
+        // Of filament that is sintered: the metal in it.
+        const SolidMaterial& solid = load_case.material;
+        material.density =
+            solid.density / (solid.green_plane * solid.green_plane * solid.green_height);
+    }
+    if (options.hotend) material.hotend = material.hotend_first = *options.hotend;
+    if (options.bed) material.bed = *options.bed;
     return machine;
 }
 
-Reinforced design_of(const ReinforceCall& options, const LoadCase& load_case,
-                     const Console& console) {
+void warn_of_heat(const ReinforceCall& options, const LoadCase& load_case, const Material& material,
+                  const Console& console) {
+    if (load_case.print.heat || options.names_material || (options.hotend && options.bed)) return;
+    console.warn(fmt::format(
+        "{}: names no material; printed at {:g} and {:g} °C, as {}; say name "
+        "in [material], --material, or --hotend and --bed",
+        options.load_case.file, material.hotend, material.bed, options.machine.material));
+}
+
+Reinforced design_of(const ReinforceCall& options, const LoadCase& load_case, const Console& console) {
     ReinforceOptions how;
     how.seeds = options.seeds;
     how.first_seed = static_cast<std::uint32_t>(options.seed);
@@ -181,10 +203,11 @@ std::string sideways_words(const Strength& strength) {
 void reinforce(const ReinforceCall& options) {
     const Console console = console_of(options.output);
     const LoadCase load_case = case_of(options.load_case);
-    const Machine machine = machine_of(options);
+    const Machine machine = machine_of(options, load_case);
     const Reinforced found = options.mode == "thesis" ? as_the_thesis(options, load_case)
                                                       : design_of(options, load_case, console);
     const Candidate& best = found.best();
+    warn_of_heat(options, load_case, machine.material, console);
     const auto [layout, green] = green_part(best.layout, load_case);
     const LayeredLayout print = placed(layout, green, machine, options.load_case.file);
     const Assessment cost = write_layout(options, print, machine);
@@ -246,13 +269,16 @@ void add_reinforce(CLI::App& app) {
     command.add_option("--speed", options->speed, "mm/s, of all beads")
         ->check(CLI::Range(1.0, 1000.0))
         ->capture_default_str();
-    command.add_option("--hotend", options->hotend, "°C, instead of the material's")
+    command.add_option("--hotend", options->hotend, "°C, instead of the case's or the material's")
         ->check(CLI::Range(0.0, 500.0));
-    command.add_option("--bed", options->bed, "°C, instead of the material's")
+    command.add_option("--bed", options->bed, "°C, instead of the case's or the material's")
         ->check(CLI::Range(0.0, 300.0));
     declare(command, options->machine);
     declare(command, options->output);
-    command.callback([options] { reinforce(*options); });
+    command.callback([options, &command] {
+        options->names_material = command.count("--material") > 0;
+        reinforce(*options);
+    });
 }
 
 }  // namespace bead::cli

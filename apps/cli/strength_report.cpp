@@ -72,8 +72,8 @@ void declare(CLI::App& command, CaseOptions& options) {
         ->check(CLI::Range(0.01, 1.0));
     command
         .add_option("--solid", options.solid,
-                    "compute with this material's strength instead of the case's: abs, pla, petg, "
-                    "17-4ph, 316l or FILE.toml")
+                    "compute with this material's strength, and print at its temperatures, instead "
+                    "of the case's: abs, pla, petg, 17-4ph, 316l or FILE.toml")
         ->type_name("NAME|FILE.toml");
     command
         .add_option("--range", options.range,
@@ -86,7 +86,10 @@ void declare(CLI::App& command, CaseOptions& options) {
 LoadCase case_of(const CaseOptions& options) {
     LoadCase load_case = read_plane_case(options.file);
     if (options.fill > 0) load_case.print.fill = options.fill;
-    if (!options.solid.empty()) load_case.material = load_solid_material(options.solid);
+    if (!options.solid.empty()) {
+        load_case.material = load_solid_material(options.solid);
+        load_case.print.heat = load_print_heat(options.solid);
+    }
     if (options.range.size() == 2)
         for (Situation& situation : load_case.situations)
             for (Load& load : situation.loads) {

@@ -10,6 +10,7 @@
 #include "job/case_checks.h"
 #include "job/data_file.h"
 #include "job/outline_svg.h"
+#include "job/solid_material_file.h"
 #include "job/toml_reader.h"
 #include "mesh/load.h"
 #include "slice/slice.h"
@@ -39,8 +40,29 @@ Polyline circle_loop(const Circle& circle) {
     return loop;
 }
 
-SolidMaterial read_material(TomlReader& file) {
+std::string beside(const std::string& name, const std::string& file) {
+    return (std::filesystem::path(name).parent_path() / file).string();
+}
+
+// `material.name` is one of those that are built in, or a file beside the case's.
+std::string material_name(TomlReader& file, const std::string& name) {
+    const std::string material = file.text("material.name", "");
+    return material.ends_with(".toml") ? beside(name, material) : material;
+}
+
+template <class Load>
+auto named_material(TomlReader& file, const Load& load, const std::string& material) {
+    try {
+        return load(material);
+    } catch (const Error& error) {
+        file.refuse("material.name", std::string("= \"") + material + "\": " + error.what());
+    }
+}
+
+SolidMaterial read_material(TomlReader& file, const std::string& name) {
+    const std::string named = material_name(file, name);
     SolidMaterial m;
+    if (!named.empty()) m = named_material(file, load_solid_material, named);
     m.young = file.number("material.young_mpa", m.young, positive);
     m.poisson = file.number("material.poisson", m.poisson, {.low = 0, .high = 0.49});
     m.tensile = file.number("material.tensile_mpa", m.tensile, positive);
@@ -52,12 +74,33 @@ SolidMaterial read_material(TomlReader& file) {
     return m;
 }
 
-PrintWish read_print(TomlReader& file) {
+std::optional<PrintHeat> read_heat(TomlReader& file, const std::string& name) {
+    const std::string named = material_name(file, name);
+    std::optional<PrintHeat> heat;
+    if (!named.empty()) heat = named_material(file, load_print_heat, named);
+    const bool told = file.place_of("material.hotend_c") && file.place_of("material.bed_c");
+    if (!heat && !told) {
+        for (const char* key : {"material.hotend_c", "material.bed_c"})
+            if (file.place_of(key))
+                file.refuse(key, "stands alone; give hotend_c and bed_c, or name");
+        return heat;
+    }
+    if (!heat) heat.emplace();
+    constexpr Range celsius{.low = 0, .high = 600};
+    const double hotend = file.number("material.hotend_c", heat->hotend, celsius);
+    if (file.place_of("material.hotend_c")) heat->hotend_first = hotend;
+    heat->hotend = hotend;
+    heat->bed = file.number("material.bed_c", heat->bed, celsius);
+    return heat;
+}
+
+PrintWish read_print(TomlReader& file, const std::string& name) {
     PrintWish p;
     p.bead_width = file.number("print.bead_width_mm", p.bead_width, positive);
     p.layer_height = file.number("print.layer_height_mm", p.layer_height, positive);
     p.fill = file.number("print.fill", p.fill, share);
     p.walls = file.integer("print.walls", p.walls, {.low = 0, .high = 100});
+    p.heat = read_heat(file, name);
     return p;
 }
 
@@ -138,10 +181,6 @@ std::vector<Situation> read_situations(TomlReader& file) {
     return {read_situation(file, "")};
 }
 
-std::string beside(const std::string& name, const std::string& file) {
-    return (std::filesystem::path(name).parent_path() / file).string();
-}
-
 // Half-way up; its height is the part's thickness.
 Region section_of(const Mesh& mesh, double& thickness) {
     thickness = bounds(mesh).size().z;
@@ -212,8 +251,8 @@ LoadCase plane_case(TomlReader& file, const std::string& name) {
     if (thickness == 0 && !file.place_of("thickness_mm")) file.refuse("thickness_mm", "is missing");
     result.thickness = file.number("thickness_mm", thickness, positive);
     if (file.place_of("guided")) result.guided = file.flag("guided", false);
-    result.material = read_material(file);
-    result.print = read_print(file);
+    result.material = read_material(file, name);
+    result.print = read_print(file, name);
     result.situations = read_situations(file);
     for (std::size_t i = 0; i < file.tables("probe"); ++i) {
         const std::string key = fmt::format("probe[{}].at", i);
@@ -241,7 +280,7 @@ SolidCase solid_case(TomlReader& file, const std::string& name) {
     SolidCase result;
     result.title = file.text("title", "");
     result.mesh = load_mesh(beside(name, file.text("model", "")));
-    result.material = read_material(file);
+    result.material = read_material(file, name);
     for (std::size_t i = 0; i < file.tables("support"); ++i) {
         const std::string key = fmt::format("support[{}]", i);
         constexpr std::string_view words[] = {"xyz", "x", "y", "z", "xy", "xz", "yz"};
@@ -262,7 +301,7 @@ SolidCase solid_case(TomlReader& file, const std::string& name) {
         const auto at = file.numbers<3>(fmt::format("probe[{}].at", i), {}, {-farthest, farthest});
         result.probes.push_back({at[0], at[1], at[2]});
     }
-    read_print(file);
+    read_print(file, name);
     file.number("thickness_mm", 0, positive);
     file.finish();
     check_boxes(file, result);

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "job/data_file.h"
+#include "job/material_file.h"
 #include "job/toml_reader.h"
 
 namespace bead {
@@ -27,6 +28,11 @@ SolidMaterial load_solid_material(const std::string& name_or_file) {
     m.green_plane = file.number("green_scale_plane", m.green_plane, green_scales);
     m.green_height = file.number("green_scale_height", m.green_height, green_scales);
     return m;
+}
+
+PrintHeat load_print_heat(const std::string& name_or_file) {
+    const Material m = load_material(name_or_file);
+    return {m.hotend, m.hotend_first, m.bed};
 }
 
 }  // namespace bead

@@ -11,4 +11,7 @@ namespace bead {
 // Throws Error for an unknown name, and for a material of which the strength is not known.
 SolidMaterial load_solid_material(const std::string& name_or_file);
 
+// The temperatures to print it at (material_file.h).
+PrintHeat load_print_heat(const std::string& name_or_file);
+
 }  // namespace bead

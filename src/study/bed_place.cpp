@@ -18,7 +18,7 @@ constexpr std::size_t layers_looked_at = 5;
 constexpr double least_inside = 0.98;  // of the beads' samples
 constexpr double least_walled = 0.95;  // of the boundary, if the print has walls
 constexpr double beside = 1.5;         // bead widths from the boundary to its wall
-constexpr double as_good = 0.1;          // of a bead's width: fits that do not differ
+constexpr double as_good = 0.1;        // of a bead's width: fits that do not differ
 
 struct Placed {
     BedPlace place;

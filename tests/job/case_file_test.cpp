@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "job/outline_svg.h"
+#include "job/solid_material_file.h"
 #include "support/job_errors.h"
 
 namespace bead {
@@ -60,6 +61,20 @@ TEST(CaseFile, SaysWhatItSays) {
     EXPECT_EQ(c.probes.size(), 1U);
 }
 
+TEST(CaseFile, NamesAMaterialAndSaysWhatIsOtherwise) {
+    const auto c = std::get<LoadCase>(
+        parsed_case(changed("[material]\n", "[material]\nname = \"petg\"\nbed_c = 70\n"), "x"));
+    EXPECT_EQ(c.material.young, 1000);
+    EXPECT_EQ(c.material.density, load_solid_material("petg").density);
+    ASSERT_TRUE(c.print.heat);
+    EXPECT_EQ(c.print.heat->hotend, load_print_heat("petg").hotend);
+    EXPECT_EQ(c.print.heat->bed, 70);
+    EXPECT_FALSE(std::get<LoadCase>(parsed_case(good, "x")).print.heat);
+    const auto told = std::get<LoadCase>(
+        parsed_case(changed("[material]\n", "[material]\nhotend_c = 300\nbed_c = 90\n"), "x"));
+    EXPECT_EQ(told.print.heat->hotend_first, 300);
+}
+
 TEST(CaseFile, TakesSeveralSituations) {
     std::string text = changed("[[support]]", "[[case]]\nweight = 3\n[[case.support]]");
     const auto replace = [&](const std::string& from, const std::string& to) {
@@ -105,6 +120,9 @@ TEST(CaseFile, NamesWhatIsWrongAndWhere) {
          "support[0].on has no boundary"},
         {"outline = ", "outline = 3 #", "outline must be an array"},
         {"poisson = 0.3", "poisson = 0.5", "poisson"},
+        {"poisson = 0.3", "name = \"cheese\"", "part.toml:8: material.name = \"cheese\": unknown"},
+        {"poisson = 0.3", "name = \"pellet-abs-cf\"", "says nothing of strength"},
+        {"poisson = 0.3", "bed_c = 60", "material.bed_c stands alone"},
         {"bead_width_mm = 0.5", "bead_width_mm = 4", "thinner than a bead (4 mm) near (20"},
     };
     for (const Row& row : rows) {
