@@ -158,7 +158,8 @@ void warn_of_heat(const ReinforceCall& options, const LoadCase& load_case, const
         options.load_case.file, material.hotend, material.bed, options.machine.material));
 }
 
-Reinforced design_of(const ReinforceCall& options, const LoadCase& load_case, const Console& console) {
+Reinforced design_of(const ReinforceCall& options, const LoadCase& load_case,
+                     const Console& console) {
     ReinforceOptions how;
     how.seeds = options.seeds;
     how.first_seed = static_cast<std::uint32_t>(options.seed);
