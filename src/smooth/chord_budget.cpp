@@ -8,41 +8,43 @@ namespace bead {
 namespace {
 
 struct Rung {
-    double wall = 0.025;   // mm, chord from curve
-    double frequency = 1;  // of the highest mode: how much of it is heeded
+    double wall = 0.025, infill = 0.06;  // mm, chord from curve
+    double frequency = 1;                // of the highest mode: how much of it is heeded
+    double velocity_step = 14;           // mm/s, from chord to chord
     bool rounds_walls = true;
     bool fine_travel = true;
     bool fine_links = true;
     bool rounds_infill = true;
 };
+
 // From fine to coarse; the first with which the budget can be kept is taken. The last ones are for
-// parts of few points and real corners.
-constexpr std::array rungs{
-    Rung{.wall = 0.025},
-    Rung{.wall = 0.033},
-    Rung{.wall = 0.033, .frequency = 0.8},
-    Rung{.wall = 0.033, .frequency = 0.65, .rounds_walls = false},
-    Rung{.wall = 0.045, .frequency = 0.5, .rounds_walls = false},
-    Rung{.wall = 0.045, .frequency = 0.5, .rounds_walls = false, .fine_travel = false},
-    Rung{.wall = 0.045, .frequency = 0, .rounds_walls = false, .fine_travel = false},
-    Rung{.wall = 0.045,
-         .frequency = 0,
-         .rounds_walls = false,
-         .fine_travel = false,
-         .fine_links = false},
-    Rung{.wall = 0.045,
-         .frequency = 0,
-         .rounds_walls = false,
-         .fine_travel = false,
-         .fine_links = false,
-         .rounds_infill = false},
-};
+// what has few points for its length, or real corners.
+constexpr std::array<Rung, 13> rungs = [] {
+    std::array<Rung, 13> steps;
+    Rung step;
+    std::size_t next = 0;
+    const auto add = [&] { steps[next++] = step; };
+    add();
+    step.wall = 0.033, step.infill = 0.0825, add();
+    step.frequency = 0.8, add();
+    step.frequency = 0.65, step.rounds_walls = false, add();
+    step.wall = 0.045, step.infill = 0.1125, step.frequency = 0.5, add();
+    step.fine_travel = false, add();
+    step.frequency = 0, add();
+    step.infill = 0.2, add();
+    step.infill = 0.4, add();
+    step.fine_links = false, add();
+    step.velocity_step = 20, add();
+    step.velocity_step = 30, add();
+    step.rounds_infill = false, add();
+    return steps;
+}();
 constexpr double quietest = 20, loudest = 1000;  // mm/s²
 
 ChordOptions chord_options(const SmoothOptions& options, const Rung& rung, double loudness) {
     ChordOptions chords;
     chords.wall = rung.wall;
-    chords.infill = std::max(0.06, 2.5 * rung.wall);
+    chords.infill = rung.infill;
     chords.frequency = rung.frequency * std::max(options.modes[0], options.modes[1]);
     chords.loudness = loudness;
     chords.acceleration = options.acceleration;
@@ -51,6 +53,7 @@ ChordOptions chord_options(const SmoothOptions& options, const Rung& rung, doubl
         chords.travel_turn = 50 * pi / 180;
     }
     chords.fine_links = rung.fine_links;
+    chords.velocity_step = rung.velocity_step;
     if (options.stages.chords) return chords;
     chords.wall = chords.infill = chords.travel = 0.01;
     chords.quiet = std::numeric_limits<double>::infinity();

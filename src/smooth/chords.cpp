@@ -23,7 +23,7 @@ struct Limits {
 
 Limits limits_for(const Flow& flow, const ChordOptions& options) {
     if (flow.role == Role::travel) return {options.travel, options.travel_turn};
-    if (!options.fine_links && flow.ramp > 0) return {options.infill, options.travel_turn};
+    if (!options.fine_links && flow.ramp > 0) return {options.wall, options.travel_turn};
     if (flow.role == Role::infill) return {options.infill, options.turn};
     return {options.wall, options.turn};
 }
