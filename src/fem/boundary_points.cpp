@@ -9,7 +9,7 @@
 namespace bead {
 namespace {
 
-constexpr double same_place = 1e-6;  // mm
+constexpr double same_place = 0.02;  // of an element's size: breaks so near are one
 constexpr double on_circle = 0.01;   // mm
 constexpr double straight = 1e-4;    // rad
 
@@ -35,10 +35,11 @@ std::vector<double> breaks_of(const MeasuredLoop& loop, std::size_t number,
         for (const double end : {span.from, span.to}) breaks.push_back(std::fmod(end, loop.length));
     }
     std::ranges::sort(breaks);
-    breaks.erase(std::unique(breaks.begin(), breaks.end(),
-                             [](double a, double b) { return b - a < same_place; }),
-                 breaks.end());
-    if (breaks.size() > 1 && breaks.front() + loop.length - breaks.back() < same_place)
+    const auto same = [&](double a, double b) {
+        return b - a < std::min(0.1 * loop.length, same_place * sizes.at(point_at(loop, a)));
+    };
+    breaks.erase(std::unique(breaks.begin(), breaks.end(), same), breaks.end());
+    while (breaks.size() > 1 && same(breaks.back(), breaks.front() + loop.length))
         breaks.pop_back();
     if (breaks.empty()) breaks.push_back(0);
     return breaks;

@@ -9,10 +9,12 @@
 namespace bead {
 namespace {
 
-constexpr double slack = 1e-6;  // mm
+// Of a side's length: where a stretch ends beside a corner, one point stands for both.
+constexpr double slack_share = 0.05;
 
 bool within(const BoundarySpan& span, const MeshSide& side, double around) {
     if (side.loop != span.loop) return false;
+    const double slack = slack_share * (side.to - side.from);
     for (const double turn : {0.0, around})
         if (side.from + turn >= span.from - slack && side.to + turn <= span.to + slack) return true;
     return false;

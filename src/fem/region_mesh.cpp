@@ -55,7 +55,10 @@ class Bins {
 class Mesher {
   public:
     Mesher(Boundary boundary, const SizeField& sizes, const MeshSizes& wanted)
-        : boundary_(std::move(boundary)), sizes_(sizes), wanted_(wanted) {}
+        : boundary_(std::move(boundary)),
+          most_sides_(4 * boundary_.sides.size() + 1000),
+          sizes_(sizes),
+          wanted_(wanted) {}
 
     std::optional<PlaneMesh> mesh();
 
@@ -65,6 +68,8 @@ class Mesher {
     void fill_block(const Box2& block, double spacing, Bins& taken);
     void smooth();
     bool repair();
+    // Sides that are halved again and again are too short for the triangulation's grid.
+    [[nodiscard]] bool is_endless() const;
     void triangulate();
     [[nodiscard]] Vec2 at(int i) const {
         return std::size_t(i) < boundary_.points.size()
@@ -76,6 +81,7 @@ class Mesher {
     [[nodiscard]] PlaneMesh second_order() const;
 
     Boundary boundary_;
+    std::size_t most_sides_;
     const SizeField& sizes_;
     MeshSizes wanted_;
     Region outline_;
@@ -179,6 +185,8 @@ void Mesher::smooth() {
     }
 }
 
+bool Mesher::is_endless() const { return boundary_.sides.size() > most_sides_; }
+
 // Halves the sides of the boundary that are no triangle's side; true if there were none.
 bool Mesher::repair() {
     std::set<std::pair<int, int>> edges;
@@ -203,6 +211,7 @@ std::optional<PlaneMesh> Mesher::mesh() {
     }
     for (int k = 0; k < most_repairs; ++k) {
         if (repair()) return second_order();
+        if (is_endless()) return std::nullopt;
         triangulate();
     }
     return std::nullopt;

@@ -12,6 +12,7 @@ namespace bead {
 namespace {
 
 constexpr double most_triangle_unknowns = 3e5;
+constexpr double pixels_per_triangle = 4;  // along a side, where no triangles can be made
 
 std::vector<BoundarySpan> stretches_of(const LoadCase& load_case) {
     std::vector<BoundarySpan> all;
@@ -123,8 +124,10 @@ Sheet solved_sheet(const LoadCase& load_case, const SheetOptions& options) {
     if (pixels) return pixel_sheet(load_case, sheet.size, options);
     std::optional<PlaneMesh> mesh = region_mesh(load_case.part, load_case.circles,
                                                 stretches_of(load_case), {.size = sheet.size});
+    if (!mesh && options.elements == Elements::automatic)
+        return pixel_sheet(load_case, sheet.size / pixels_per_triangle, options);
     if (!mesh) {
-        sheet.failure = "the outline has a corner too sharp for triangles; use pixels";
+        sheet.failure = "the outline has a corner too sharp for triangles; say --elements pixels";
         return sheet;
     }
     sheet.mesh = std::move(*mesh);

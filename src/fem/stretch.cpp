@@ -10,6 +10,7 @@ namespace bead {
 namespace {
 
 constexpr double widest_chord = 0.8;  // rad; a longer side is no part of a circle
+constexpr double same_corner = 0.01;  // mm
 
 struct Place {
     std::size_t loop = 0;
@@ -124,6 +125,22 @@ std::optional<std::vector<BoundarySpan>> arc_spans(const std::vector<MeasuredLoo
     return spans;
 }
 
+// A place that is a corner but for rounding is the corner: no mesh can follow the sliver between.
+double snapped(const MeasuredLoop& loop, double at) {
+    const double once = std::fmod(at, loop.length);
+    const auto next = std::ranges::lower_bound(loop.at, once);
+    const double above = next == loop.at.end() ? loop.length : *next;
+    const double below = next == loop.at.begin() ? above : *(next - 1);
+    const double nearest = std::abs(above - once) < std::abs(once - below) ? above : below;
+    return std::abs(nearest - once) < same_corner ? at + (nearest - once) : at;
+}
+
+void snap_ends(BoundarySpan& span, const MeasuredLoop& loop) {
+    const double from = snapped(loop, span.from), to = snapped(loop, span.to);
+    const bool is_point = span.from == span.to;
+    if (to > from || is_point) span = {span.loop, from, is_point ? from : to};
+}
+
 Polyline line_of(const MeasuredLoop& loop, const BoundarySpan& span) {
     Polyline line{point_at(loop, span.from)};
     for (const double turn : {0.0, loop.length})
@@ -138,7 +155,10 @@ Polyline line_of(const MeasuredLoop& loop, const BoundarySpan& span) {
 
 std::optional<std::vector<BoundarySpan>> stretch_spans(const Region& part, const Stretch& stretch) {
     const std::vector<MeasuredLoop> loops = measured_loops(part);
-    return stretch.arc ? arc_spans(loops, *stretch.arc) : span_between(loops, stretch);
+    auto spans = stretch.arc ? arc_spans(loops, *stretch.arc) : span_between(loops, stretch);
+    if (spans)
+        for (BoundarySpan& span : *spans) snap_ends(span, loops[span.loop]);
+    return spans;
 }
 
 std::optional<std::vector<Polyline>> stretch_lines(const Region& part, const Stretch& stretch) {

@@ -27,7 +27,8 @@ Vec2 point(std::array<double, 2> xy) { return {xy[0], xy[1]}; }
 
 Polyline line(const std::vector<std::array<double, 2>>& pairs) {
     Polyline points;
-    for (const std::array<double, 2>& pair : pairs) points.push_back(point(pair));
+    for (const std::array<double, 2>& pair : pairs)
+        if (points.empty() || points.back() != point(pair)) points.push_back(point(pair));
     return points;
 }
 
@@ -237,17 +238,29 @@ void cut_holes(TomlReader& file, LoadCase& result) {
     }
 }
 
+const char* source_of(TomlReader& file) {
+    for (const char* key : {"outline_svg", "model"})
+        if (file.place_of(key)) return key;
+    return "outline";
+}
+
+std::string pieces_words(const Region& part) {
+    if (part.empty()) return "leaves nothing of the part";
+    const auto less = [](const Polygon& a, const Polygon& b) { return area(a) < area(b); };
+    const Polygon& least = *std::ranges::min_element(part, less);
+    const Vec2 place = bounds(least.outer).centre();
+    return fmt::format(
+        "leaves {} separate pieces, one of {:.3g} mm² about ({:.4g}, {:.4g}); a case is one part",
+        part.size(), area(least), place.x, place.y);
+}
+
 LoadCase plane_case(TomlReader& file, const std::string& name) {
     LoadCase result;
     result.title = file.text("title", "");
     double thickness = 0;
     result.part = read_part(file, name, thickness);
     cut_holes(file, result);
-    if (result.part.size() != 1)
-        file.refuse("outline", result.part.empty()
-                                   ? "leaves nothing of the part"
-                                   : fmt::format("leaves {} separate pieces; a case is one part",
-                                                 result.part.size()));
+    if (result.part.size() != 1) file.refuse(source_of(file), pieces_words(result.part));
     if (thickness == 0 && !file.place_of("thickness_mm")) file.refuse("thickness_mm", "is missing");
     result.thickness = file.number("thickness_mm", thickness, positive);
     if (file.place_of("guided")) result.guided = file.flag("guided", false);

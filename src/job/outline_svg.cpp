@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "geom/clip.h"
+#include "job/case_checks.h"
 #include "job/one_line.h"
 #include "job/svg_path.h"
 
@@ -42,6 +43,24 @@ Polyline ellipse(Vec2 centre, double a, double b) {
     return loop;
 }
 
+bool is_hidden(const pugi::xml_node& node) {
+    const std::string_view style = node.attribute("style").value();
+    return std::string_view(node.attribute("display").value()) == "none" ||
+           style.find("display:none") != style.npos || style.find("display: none") != style.npos;
+}
+
+// A loop whose area by even and odd is not that within it goes across itself somewhere.
+void expect_simple(const Polyline& loop, const std::string& name) {
+    const double within = std::abs(signed_area(loop));
+    const double by_parity = area(region_of({loop}, FillRule::even_odd));
+    if (std::abs(within - by_parity) <= 1e-3 * std::max(within, by_parity)) return;
+    const Vec2 place = self_crossing(loop).value_or(bounds(loop).centre());
+    throw Error(
+        fmt::format("{}: a shape crosses itself at ({:.4g}, {:.4g}) mm; draw it as one "
+                    "simple outline, holes as shapes of their own",
+                    name, place.x, place.y));
+}
+
 class Drawing {
   public:
     explicit Drawing(std::string name) : name_(std::move(name)) {}
@@ -54,7 +73,7 @@ class Drawing {
         const std::string_view kind = node.name();
         static const std::set<std::string_view> unseen{"defs",     "clipPath", "mask",  "symbol",
                                                        "metadata", "style",    "title", "desc"};
-        if (unseen.contains(kind)) return;
+        if (unseen.contains(kind) || is_hidden(node)) return;
         for (Polyline& loop : shapes(node, kind)) {
             for (Vec2& p : loop) p = inner(p);
             if (loop.size() > 2) loops.push_back(std::move(loop));
@@ -107,6 +126,7 @@ Region outline_of_svg(std::string_view text, const std::string& name) {
             if (!(std::abs(p.x) < 1e5 && std::abs(p.y) < 1e5))
                 throw Error(name + ": reaches beyond 100 m; is its unit right?");
         }
+    for (const Polyline& loop : drawing.loops) expect_simple(loop, name);
     return region_of(drawing.loops, FillRule::even_odd);
 }
 

@@ -77,6 +77,21 @@ TEST(RegionMesh, RoundHolesAreRound) {
     }
 }
 
+// Sides far shorter than an element, ends of stretches beside corners: one point stands for both,
+// and no heap of slivers comes of it.
+TEST(RegionMesh, PassesOverWhatIsTooSmallToSee) {
+    const Region exact{{{{0, 0}, {80, 0}, {80, 30}, {0, 30}}, {}}};
+    for (const double small : {1e-7, 1e-5, 1e-3}) {
+        const Region part{{{{0, 0}, {80, 0}, {80 + small, small}, {80, 30}, {0, 30}}, {}}};
+        const auto mesh = region_mesh(part, {}, {{0, 40, 80 - small}, {0, 80, 110 + small}}, {});
+        ASSERT_TRUE(mesh) << small;
+        EXPECT_LT(mesh->count(), 7000U) << small;
+        EXPECT_GT(worst_shape(*mesh), 0.3) << small;
+        EXPECT_NEAR(area_of(*mesh), area(exact), 0.1) << small;
+        expect_closed(*mesh);
+    }
+}
+
 RC_GTEST_PROP(RegionMesh, MeetsAnyBoundary, (unsigned seed)) {
     // A star with a hole of the same kind.
     std::mt19937 random(seed);

@@ -158,6 +158,24 @@ TEST(OutlineSvg, ReadsShapesAndTransforms) {
     EXPECT_NEAR(box.high.y, 20, 1e-6);
 }
 
+TEST(OutlineSvg, PassesOverWhatIsNotShown) {
+    const char* text =
+        R"svg(<svg width="40mm" viewBox="0 0 40 40"><defs><rect width="9" height="9"/></defs>
+        <rect width="20" height="10"/><rect x="30" width="5" height="5" display="none"/>
+        <g style="fill:red;display:none"><circle cx="35" cy="35" r="2"/></g></svg>)svg";
+    const Region part = outline_of_svg(text, "part.svg");
+    ASSERT_EQ(part.size(), 1U);
+    EXPECT_NEAR(area(part), 200, 1e-6);
+}
+
+TEST(OutlineSvg, NamesWhereAShapeCrossesItself) {
+    const std::string words = test::complaint_of([&] {
+        outline_of_svg("<svg viewBox='0 0 40 40'><path d='M0 0 L20 10 20 0 0 10z'/></svg>",
+                       "part.svg");
+    });
+    EXPECT_TRUE(says(words, "part.svg: a shape crosses itself at (10, 35)")) << words;
+}
+
 TEST(OutlineSvg, RefusesWhatIsNone) {
     for (const char* text : {"", "<svg/>", "<html/>", "<svg><path d='M 0 0 X'/></svg>",
                              "<svg><path d='M 0 0 L 1e9 0 0 1e9z'/></svg>",

@@ -74,7 +74,7 @@ TEST(Densities, HeedEveryVariant) {
 }
 
 TEST(Densities, SpendLessOnCompressionWhereItBearsMore) {
-    const LoadCase part = cantilever_case(size);
+    const LoadCase part = cantilever_case(part_size);
     const auto below = [&](double compression) {
         return densities(part, walls_and_pads(part),
                          {.area = 120, .iterations = 20, .compression = compression})
@@ -90,7 +90,7 @@ TEST(Densities, SpendLessOnCompressionWhereItBearsMore) {
 
 // Where solid is not enough, what is solid grows: more iterations, more of it at the clamp.
 TEST(Densities, GrowWhereSolidIsNotEnough) {
-    const LoadCase part = cantilever_case(size);
+    const LoadCase part = cantilever_case(part_size);
     const auto near_clamp = [&](int iterations) {
         const Densities d = solved(part, 160, iterations);
         double sum = 0;
