@@ -22,9 +22,8 @@ struct PanelCase {
 };
 
 PanelCase any_panel() {
-    PanelCase one{*rc::gen::inRange<std::ptrdiff_t>(1, 23), *rc::gen::inRange<std::ptrdiff_t>(0, 19),
-                  {},
-                  {}};
+    PanelCase one{
+        *rc::gen::inRange<std::ptrdiff_t>(1, 23), *rc::gen::inRange<std::ptrdiff_t>(0, 19), {}, {}};
     std::mt19937 random(*rc::gen::arbitrary<unsigned>());
     std::uniform_real_distribution<double> number(-1, 1);
     const std::ptrdiff_t size = one.own + one.border;

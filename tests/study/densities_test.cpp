@@ -94,7 +94,7 @@ TEST(Densities, GrowWhereSolidIsNotEnough) {
     const auto near_clamp = [&](int iterations) {
         const Densities d = solved(part, 160, iterations);
         double sum = 0;
-        for (double y = 0.5; y < size.y; ++y)
+        for (double y = 0.5; y < part_size.y; ++y)
             for (double x = 4.5; x < 10; ++x) sum += d.density[0]({x, y}) + d.density[1]({x, y});
         return sum;
     };
