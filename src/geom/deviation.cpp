@@ -56,10 +56,7 @@ class NearestPiece {
 }  // namespace
 
 double segment_distance(Vec2 a, Vec2 b, Vec2 point) {
-    const Vec2 along = b - a;
-    const double square = dot(along, along);
-    const double t = square > 0 ? std::clamp(dot(point - a, along) / square, 0.0, 1.0) : 0;
-    return distance(point, a + t * along);
+    return std::sqrt(squared_segment_distance(a, b, point));
 }
 
 double line_distance(const Polyline& line, Vec2 point) {

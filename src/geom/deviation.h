@@ -2,6 +2,8 @@
 // of `line` of the distance to `reference` (both open lines). To measure against a curve, flatten
 // it first, ten times finer than what is to be measured.
 #pragma once
+#include <algorithm>
+
 #include "geom/polygon.h"
 
 namespace bead {
@@ -13,5 +15,14 @@ double deviation(const Polyline& line, const Polyline& reference, double step = 
 // Of one point from a line, and from the segment between two points.
 double line_distance(const Polyline& line, Vec2 point);
 double segment_distance(Vec2 a, Vec2 b, Vec2 point);
+
+// Squared, for whoever compares very many.
+inline double squared_segment_distance(Vec2 a, Vec2 b, Vec2 point) {
+    const Vec2 along = b - a, to = point - a;
+    const double square = dot(along, along);
+    const double t = square > 0 ? std::clamp(dot(to, along) / square, 0.0, 1.0) : 0;
+    const Vec2 off = to - t * along;
+    return dot(off, off);
+}
 
 }  // namespace bead

@@ -23,9 +23,8 @@ struct Limits {
 
 Limits limits_for(const Flow& flow, const ChordOptions& options) {
     if (flow.role == Role::travel) return {options.travel, options.travel_turn};
-    if (!options.fine_links && flow.ramp > 0) return {options.wall, options.travel_turn};
-    if (flow.role == Role::infill) return {options.infill, options.turn};
-    return {options.wall, options.turn};
+    const double turn = !options.fine_links && flow.ramp > 0 ? options.travel_turn : options.turn;
+    return {flow.role == Role::infill ? options.infill : options.wall, turn};
 }
 
 // What does not change while a chord from one point is drawn out.

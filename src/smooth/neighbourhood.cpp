@@ -31,7 +31,8 @@ Neighbourhood::Neighbourhood(const std::vector<const Polyline*>& loops, double r
                                     std::numeric_limits<std::uint32_t>::max());
     for (std::size_t i = 0; i < loops.size(); ++i)
         add(static_cast<std::uint32_t>(i), *loops[i], last);
-    sort();
+    loops_ = sorted_by_cell(entries_, last.size());
+    entries_ = {};
 }
 
 // At places half a cell apart or less, each for all that is within reach of anything beside it.
@@ -67,16 +68,6 @@ void Neighbourhood::add(std::uint32_t loop, Vec2 point, std::vector<std::uint32_
         }
 }
 
-void Neighbourhood::sort() {
-    starts_.assign(static_cast<std::size_t>(columns_ * rows_) + 1, 0);
-    for (const Entry& entry : entries_) ++starts_[entry.cell + 1];
-    for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
-    loops_.resize(entries_.size());
-    std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
-    for (const Entry& entry : entries_) loops_[next[entry.cell]++] = entry.loop;
-    entries_ = {};
-}
-
 std::span<const std::uint32_t> Neighbourhood::around(Vec2 point) const {
     const Vec2 p = point - low_;
     if (p.x < 0 || p.y < 0) return {};
@@ -84,7 +75,7 @@ std::span<const std::uint32_t> Neighbourhood::around(Vec2 point) const {
     const auto row = static_cast<std::int64_t>(p.y / cell_);
     if (column >= columns_ || row >= rows_) return {};
     const auto cell = static_cast<std::size_t>(row * columns_ + column);
-    return std::span(loops_).subspan(starts_[cell], starts_[cell + 1] - starts_[cell]);
+    return loops_.in(cell, cell);
 }
 
 }  // namespace bead

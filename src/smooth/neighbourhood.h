@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geom/polygon.h"
+#include "smooth/cell_table.h"
 
 namespace bead {
 
@@ -18,18 +19,14 @@ class Neighbourhood {
     [[nodiscard]] std::span<const std::uint32_t> around(Vec2 point) const;
 
   private:
-    struct Entry {
-        std::uint32_t cell, loop;
-    };
     void add(std::uint32_t loop, const Polyline& points, std::vector<std::uint32_t>& last);
     void add(std::uint32_t loop, Vec2 point, std::vector<std::uint32_t>& last);
-    void sort();
 
     double cell_;  // mm
     Vec2 low_;
     std::int64_t columns_ = 1, rows_ = 1;
-    std::vector<Entry> entries_;
-    std::vector<std::uint32_t> starts_, loops_;  // of the cells in `loops_`
+    std::vector<CellEntry> entries_;
+    CellTable loops_;
 };
 
 }  // namespace bead

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "geom/deviation.h"
+
 namespace bead {
 namespace {
 
@@ -10,14 +12,6 @@ constexpr double most_cells = 4e6;
 
 std::int64_t index_of(double along, double cell) {
     return static_cast<std::int64_t>(std::floor(along / cell));
-}
-
-double squared_distance(Vec2 a, Vec2 b, Vec2 point) {
-    const Vec2 along = b - a, to = point - a;
-    const double square = dot(along, along);
-    const double t = square > 0 ? std::clamp(dot(to, along) / square, 0.0, 1.0) : 0;
-    const Vec2 off = to - t * along;
-    return dot(off, off);
 }
 
 Box2 box_of(const std::vector<SegmentGrid::Line>& lines) {
@@ -44,7 +38,7 @@ SegmentGrid::SegmentGrid(const std::vector<Line>& lines, double reach, double ce
     low_ = box.low;
     columns_ = index_of(size.x, cell_) + 1;
     rows_ = index_of(size.y, cell_) + 1;
-    std::vector<Entry> entries;
+    std::vector<CellEntry> entries;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const std::span<const Vec2> points = lines[i].points;
         const auto number = static_cast<std::uint32_t>(i);
@@ -52,11 +46,11 @@ SegmentGrid::SegmentGrid(const std::vector<Line>& lines, double reach, double ce
             add(number, points[k], points[k + 1], entries);
         if (lines[i].closed && !points.empty()) add(number, points.back(), points.front(), entries);
     }
-    sort(entries);
+    numbers_ = sorted_by_cell(entries, static_cast<std::size_t>(columns_ * rows_));
 }
 
 // Long segments in steps, so that a slanted one is not in all the cells of its box.
-void SegmentGrid::add(std::uint32_t line, Vec2 a, Vec2 b, std::vector<Entry>& entries) {
+void SegmentGrid::add(std::uint32_t line, Vec2 a, Vec2 b, std::vector<CellEntry>& entries) {
     const auto number = static_cast<std::uint32_t>(segments_.size());
     segments_.push_back({a, b, line});
     const auto parts = static_cast<int>(distance(a, b) / cell_) + 1;
@@ -76,15 +70,6 @@ void SegmentGrid::add(std::uint32_t line, Vec2 a, Vec2 b, std::vector<Entry>& en
     }
 }
 
-void SegmentGrid::sort(const std::vector<Entry>& entries) {
-    starts_.assign(static_cast<std::size_t>(columns_ * rows_) + 1, 0);
-    for (const Entry& entry : entries) ++starts_[entry.cell + 1];
-    for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
-    numbers_.resize(entries.size());
-    std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
-    for (const Entry& entry : entries) numbers_[next[entry.cell]++] = entry.segment;
-}
-
 SegmentGrid::Cells SegmentGrid::cells_around(Vec2 point, double distance) const {
     const Vec2 p = point - low_;
     return {std::max<std::int64_t>(index_of(p.x - distance, cell_), 0),
@@ -98,9 +83,10 @@ bool SegmentGrid::visit(const Cells& cells, const Visit& visitor) const {
     if (cells.left > cells.right) return true;
     for (auto y = cells.bottom; y <= cells.top; ++y) {
         const auto row = static_cast<std::size_t>(y * columns_);
-        const std::uint32_t last = starts_[row + static_cast<std::size_t>(cells.right) + 1];
-        for (std::uint32_t i = starts_[row + static_cast<std::size_t>(cells.left)]; i < last; ++i)
-            if (!visitor(segments_[numbers_[i]])) return false;
+        const auto left = row + static_cast<std::size_t>(cells.left);
+        const auto right = row + static_cast<std::size_t>(cells.right);
+        for (const std::uint32_t i : numbers_.in(left, right))
+            if (!visitor(segments_[i])) return false;
     }
     return true;
 }
@@ -108,7 +94,7 @@ bool SegmentGrid::visit(const Cells& cells, const Visit& visitor) const {
 std::vector<NearLine> SegmentGrid::near(Vec2 point) const {
     std::vector<NearLine> result;
     visit(cells_around(point, reach_), [&](const Segment& segment) {
-        const double square = squared_distance(segment.a, segment.b, point);
+        const double square = squared_segment_distance(segment.a, segment.b, point);
         if (square > reach_ * reach_) return true;
         const auto known = std::ranges::find(result, segment.line, &NearLine::line);
         if (known == result.end())
@@ -128,7 +114,7 @@ std::optional<double> SegmentGrid::nearest_other(Vec2 point, std::size_t line) c
     for (double half = std::min(cell_, reach_);; half = std::min(2 * half, reach_)) {
         visit(cells_around(point, half), [&](const Segment& segment) {
             if (segment.line != line)
-                least = std::min(least, squared_distance(segment.a, segment.b, point));
+                least = std::min(least, squared_segment_distance(segment.a, segment.b, point));
             return true;
         });
         if (least <= half * half) return std::sqrt(least);
@@ -139,7 +125,7 @@ std::optional<double> SegmentGrid::nearest_other(Vec2 point, std::size_t line) c
 bool SegmentGrid::is_clear(Vec2 point, double distance, std::array<std::size_t, 2> but) const {
     return visit(cells_around(point, distance), [&](const Segment& segment) {
         return segment.line == but[0] || segment.line == but[1] ||
-               squared_distance(segment.a, segment.b, point) >= distance * distance;
+               squared_segment_distance(segment.a, segment.b, point) >= distance * distance;
     });
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geom/polygon.h"
+#include "smooth/cell_table.h"
 
 namespace bead {
 
@@ -38,15 +39,11 @@ class SegmentGrid {
         Vec2 a, b;
         std::uint32_t line;
     };
-    struct Entry {
-        std::uint32_t cell, segment;
-    };
     struct Cells {  // both ends included
         std::int64_t left, right, bottom, top;
     };
     [[nodiscard]] Cells cells_around(Vec2 point, double distance) const;
-    void add(std::uint32_t line, Vec2 a, Vec2 b, std::vector<Entry>& entries);
-    void sort(const std::vector<Entry>& entries);
+    void add(std::uint32_t line, Vec2 a, Vec2 b, std::vector<CellEntry>& entries);
     // Until the visitor, given a segment, returns false. In any order; one may come again.
     template <class Visit>
     bool visit(const Cells& cells, const Visit& visitor) const;
@@ -55,8 +52,7 @@ class SegmentGrid {
     Vec2 low_;
     std::int64_t columns_ = 1, rows_ = 1;
     std::vector<Segment> segments_;
-    std::vector<std::uint32_t> starts_;   // of the cells in `numbers_`, and the end
-    std::vector<std::uint32_t> numbers_;  // of the segments in every cell that they may touch
+    CellTable numbers_;  // of the segments in every cell that they may touch
 };
 
 }  // namespace bead

@@ -23,16 +23,12 @@ SegmentLattice::SegmentLattice(std::span<const Polyline> lines, double cell) : c
     cell_ = std::max(cell_, std::sqrt(size.x * size.y / most_cells));
     columns_ = static_cast<std::int64_t>(size.x / cell_) + 1;
     rows_ = static_cast<std::int64_t>(size.y / cell_) + 1;
-    begin_.assign(static_cast<std::size_t>(columns_ * rows_) + 1, 0);
-    for (const Segment& segment : segments_)
-        for_each_cell(segment, [&](std::size_t at) { ++begin_[at + 1]; });
-    for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
-    entries_.resize(begin_.back());
-    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+    std::vector<CellEntry> entries;
     for (std::size_t i = 0; i < segments_.size(); ++i)
         for_each_cell(segments_[i], [&](std::size_t at) {
-            entries_[next[at]++] = static_cast<std::uint32_t>(i);
+            entries.push_back({static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(i)});
         });
+    numbers_ = sorted_by_cell(entries, static_cast<std::size_t>(columns_ * rows_));
 }
 
 std::int64_t SegmentLattice::column(double x) const {
@@ -75,9 +71,9 @@ void SegmentLattice::look_in_cell(Vec2 point, std::int64_t column, std::int64_t 
                                   Nearest& nearest) const {
     if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return;
     const auto at = static_cast<std::size_t>(row * columns_ + column);
-    for (std::uint32_t i = begin_[at]; i < begin_[at + 1]; ++i) {
-        const double away = distance_of(entries_[i], point);
-        if (away < nearest.distance) nearest = {away, entries_[i]};
+    for (const std::uint32_t i : numbers_.in(at, at)) {
+        const double away = distance_of(i, point);
+        if (away < nearest.distance) nearest = {away, i};
     }
 }
 

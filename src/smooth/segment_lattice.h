@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geom/polygon.h"
+#include "smooth/cell_table.h"
 
 namespace bead {
 
@@ -42,7 +43,7 @@ class SegmentLattice {
     Box2 box_;
     std::int64_t columns_ = 0, rows_ = 0;
     std::vector<Segment> segments_;
-    std::vector<std::uint32_t> begin_, entries_;  // of every cell the segments' numbers
+    CellTable numbers_;  // of the segments that touch every cell
 };
 
 // The corners and the places between them, at most `step` mm apart.

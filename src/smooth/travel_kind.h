@@ -2,8 +2,7 @@
 // is pulled back for it. Slicers that do so for some short travel but not for longer ones look at
 // the walls: they let it ooze where nobody will see.
 #pragma once
-#include "smooth/segment_grid.h"
-#include "toolpath/path.h"
+#include "smooth/walls.h"
 
 namespace bead {
 
@@ -16,12 +15,11 @@ class TravelKind {
 
   private:
     [[nodiscard]] bool is_retracted(const Polyline& points) const;
-    [[nodiscard]] bool crosses_walls(const Polyline& points) const;
 
     double speed_ = 120, acceleration_ = 0;
     double shortest_;       // mm, of what is retracted
     bool by_walls_ = true;  // of those as long only what crosses a wall
-    SegmentGrid walls_;
+    Walls walls_;
 };
 
 }  // namespace bead
