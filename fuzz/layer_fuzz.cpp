@@ -1,7 +1,6 @@
-// Any bytes taken apart into layers are the same bytes put together again, or an Error; what can be
-// written anew of a layer deposits what its text did, and no layer is planned past its lines. The
-// first byte says whose rules.
-#include <cmath>
+// Any bytes taken apart into layers are the same bytes put together again (the last line ended), or
+// an Error; no layer is planned past its lines, and what can be written anew is. The first byte
+// says whose rules.
 #include <cstdint>
 #include <cstdlib>
 #include <sstream>
@@ -30,7 +29,7 @@ void check(const bead::FileLayer& layer, const bead::LayerPlan& plan) {
     for (const bead::Path& path : plan.body) require(path.points.size() > 1);
 }
 
-std::string put_together(const std::string& bytes, bead::Firmware firmware, bool write) {
+std::string put_together(const std::string& bytes, bead::Firmware firmware) {
     std::istringstream text(bytes);
     std::string result;
     bead::LayerReader reader(bead::stream_source(text), {.firmware = firmware});
@@ -38,7 +37,7 @@ std::string put_together(const std::string& bytes, bead::Firmware firmware, bool
     while (const auto layer = reader.next()) {
         const bead::LayerPlan plan = planner.plan(*layer);
         check(*layer, plan);
-        if (write && plan.obstacle.empty() && !plan.body.empty()) {
+        if (plan.obstacle.empty() && !plan.body.empty()) {
             bead::MotionText motion(planner.style(), {plan.head.at, plan.head.pulled_back});
             motion.follow(plan.body, plan.z);
             require(!motion.text().empty());
@@ -57,7 +56,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto firmware = bead::Firmware(data[0] % bead::firmware_names.size());
     const std::string bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
     try {
-        require(put_together(bytes, firmware, true) == bytes);
+        const std::string ended = bytes.empty() || bytes.back() == '\n' ? bytes : bytes + '\n';
+        require(put_together(bytes, firmware) == ended);
     } catch (const bead::Error&) {
         return 0;
     }

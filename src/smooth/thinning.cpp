@@ -30,6 +30,11 @@ Region inside_outer_walls(const Strokes& strokes) {
     return region_of(outlines, FillRule::even_odd);
 }
 
+// G-code says beads in rounded lengths of filament.
+bool alike(const Bead& a, const Bead& b) {
+    return a.height == b.height && std::abs(a.width - b.width) <= 0.02 * b.width;
+}
+
 // The strokes that may go: all of the sparse infill, or none if it is not all loops of one bead.
 std::vector<std::size_t> infill_loops(const Strokes& strokes) {
     std::vector<std::size_t> loops;
@@ -37,7 +42,8 @@ std::vector<std::size_t> infill_loops(const Strokes& strokes) {
         const Path& path = strokes.strokes[i].path;
         if (path.role != Role::infill) continue;
         if (!is_loop(path)) return {};
-        if (!loops.empty() && path.bead != strokes.strokes[loops.front()].path.bead) return {};
+        if (!loops.empty() && !alike(path.bead, strokes.strokes[loops.front()].path.bead))
+            return {};
         loops.push_back(i);
     }
     return loops;

@@ -143,7 +143,7 @@ TEST(Smooth, DrawsAndTellsPlacesInTime) {
     EXPECT_EQ(beadwork("simulate " + (folder / "b.gcode")).status, 0);
 }
 
-// A square with three walls and, inside, loops of infill 2.5 mm apart.
+// A square with three walls and, inside, loops of infill 2.5 mm apart about a larger hollow.
 std::string square_loop(double half, const char* type) {
     std::ostringstream text;
     text << "G1 X" << 60 - half << " Y" << 60 - half << " F7800\n;TYPE:" << type << "\nG1 F3000\n";
@@ -160,7 +160,7 @@ std::string print_of_squares() {
         text << ";LAYER_CHANGE\n;Z:" << z << "\n;HEIGHT:0.2\nG1 Z" << z << " F600\n;WIDTH:0.45\n"
              << square_loop(29.2, "Perimeter") << square_loop(29.6, "Perimeter")
              << square_loop(30, "External perimeter");
-        for (double half = 27; half > 2; half -= 2.5) text << square_loop(half, "Internal infill");
+        for (double half = 27; half > 12; half -= 2.5) text << square_loop(half, "Internal infill");
     }
     return text.str() + "M84\n; filament_diameter = 1.75\n";
 }
