@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "job/material_file.h"
 #include "job/printer_file.h"
+#include "job/sourced_printer.h"
 
 namespace bead::cli {
 namespace {
@@ -104,7 +105,12 @@ Firmware firmware_of(const MachineOptions& options) {
 
 Machine machine_of(const MachineOptions& options) {
     const std::string name = options.printer.empty() ? default_printer : options.printer;
-    return {load_printer(name),
+    Printer printer =
+        options.set.empty()
+            ? load_printer(name)
+            : sourced_printer({.set = options.set, .printer = name, .environment = {}, .notes = {}})
+                  .printer;
+    return {std::move(printer),
             load_material(options.material),
             {firmware_of(options), options.quirks == "corrected", lookahead_of(options.lookahead)}};
 }

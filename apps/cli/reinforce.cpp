@@ -13,10 +13,12 @@
 #include "options.h"
 #include "part.h"
 #include "scene/layout_picture.h"
+#include "strength/usual_scale.h"
 #include "strength_report.h"
 #include "study/green_part.h"
 #include "study/reinforce.h"
 #include "study/reinforced_print.h"
+#include "study/similar_case.h"
 #include "thesis_mode.h"
 
 namespace bead::cli {
@@ -28,7 +30,7 @@ struct ReinforceCall {
     int seeds = 6;
     long seed = 0;
     int threads = 0;
-    double shortest_brace = 2.5;
+    double shortest_brace = 0;  // mm; 0: as the beads' width asks for
     bool only_lines = false;
     std::string mode = "strongest";
     ThesisModeOptions thesis;
@@ -39,23 +41,28 @@ struct ReinforceCall {
     OutputOptions output;
 };
 
-LayeredLayout placed(const Layout& layout, const LoadCase& load_case, const Machine& machine,
-                     const std::string& file) {
-    const Box2 box = bounds(load_case.part);
+// The printed part's size, skirt included, against the bed.
+void expect_fit(const LoadCase& load_case, const Machine& machine, const std::string& file) {
     constexpr double skirt = 6;  // mm around the part
-    const Vec2 size = box.size() + Vec2{2 * skirt, 2 * skirt};
-    const int layers = layer_count(load_case);
-    const double height = layers * load_case.print.layer_height;
+    const SolidMaterial& material = load_case.material;
+    const Vec2 box = material.green_plane * bounds(load_case.part).size();
+    const Vec2 size = box + Vec2{2 * skirt, 2 * skirt};
+    const double height =
+        layer_count(load_case) * load_case.print.layer_height * material.green_height;
     const std::array<double, 3>& bed = machine.printer.bed;
     const bool fits = machine.printer.kinematics == Kinematics::delta
                           ? length(size) <= bed[0]
                           : size.x <= bed[0] && size.y <= bed[1];
-    if (!fits || height > bed[2])
-        throw Error(fmt::format("{}: {:.0f} x {:.0f} x {:.1f} mm do not fit the bed of {}; choose "
-                                "another printer (--printer)",
-                                file, box.size().x, box.size().y, height, machine.printer.name),
-                    Fault::infeasible);
-    return {layout, load_case, layers, middle_of_bed(machine.printer) - box.centre()};
+    if (fits && height <= bed[2]) return;
+    throw Error(fmt::format("{}: {:.0f} x {:.0f} x {:.1f} mm and a skirt do not fit the bed of {}; "
+                            "choose another printer (--printer)",
+                            file, box.x, box.y, height, machine.printer.name),
+                Fault::infeasible);
+}
+
+LayeredLayout placed(const Layout& layout, const LoadCase& load_case, const Machine& machine) {
+    return {layout, load_case, layer_count(load_case),
+            middle_of_bed(machine.printer) - bounds(load_case.part).centre()};
 }
 
 Assessment write_layout(const ReinforceCall& options, const LayeredLayout& print,
@@ -97,7 +104,9 @@ std::string picture_of(const LoadCase& load_case, const Candidate& design) {
     picture.part = load_case.part;
     picture.bead_width = load_case.print.bead_width;
     for (const std::size_t kind : order) {
-        PicturedLines group{std::string(names[kind]), inks[kind], {}};
+        const bool is_pattern =
+            kind == 2 && !design.name.starts_with("stress") && !design.name.starts_with("thesis");
+        PicturedLines group{is_pattern ? "infill" : std::string(names[kind]), inks[kind], {}};
         for (const LayoutLine& line : design.layout)
             if (static_cast<std::size_t>(line.kind) == kind) group.lines.push_back(line.points);
         picture.groups.push_back(std::move(group));
@@ -113,18 +122,36 @@ void write_picture(const ReinforceCall& options, const LoadCase& load_case,
     file.keep();
 }
 
+double laid_share(const Candidate& design, const LoadCase& load_case) {
+    return deposited_area(design.layout, load_case.print.bead_width) / area(load_case.part);
+}
+
+bool weighs_as_asked(const Candidate& design, const LoadCase& load_case) {
+    return std::abs(laid_share(design, load_case) / load_case.print.fill - 1) <= 0.01;
+}
+
 void check_weight(const Candidate& best, const LoadCase& load_case, const std::string& file) {
-    const double laid =
-        deposited_area(best.layout, load_case.print.bead_width) / area(load_case.part);
-    if (std::abs(laid / load_case.print.fill - 1) <= 0.01) return;
+    if (weighs_as_asked(best, load_case)) return;
+    const double laid = laid_share(best, load_case);
     throw Error(fmt::format("{}: fill {:.3g} cannot be reached: {:.3g} is as near as lines come; "
                             "ask for {:.3g}",
                             file, load_case.print.fill, laid, laid),
                 Fault::infeasible);
 }
 
+// Designs that missed the weight do not compete with those that met it.
+void drop_off_weight(Reinforced& found, const LoadCase& load_case) {
+    const auto met = [&](const Candidate& design) { return weighs_as_asked(design, load_case); };
+    if (std::ranges::any_of(found.candidates, met))
+        std::erase_if(found.candidates, [&](const Candidate& design) { return !met(design); });
+}
+
 Reinforced as_the_thesis(const ReinforceCall& options, const LoadCase& load_case) {
-    Reinforced found = thesis_design(load_case, options.thesis, options.load_case.file);
+    const double scale = usual_scale(load_case.print);
+    ThesisModeOptions how = options.thesis;
+    how.lines.apart *= scale;
+    Reinforced found =
+        similar(thesis_design(similar(load_case, scale), how, options.load_case.file), 1 / scale);
     check_weight(found.best(), load_case, options.load_case.file);
     return found;
 }
@@ -158,16 +185,16 @@ void warn_of_heat(const ReinforceCall& options, const LoadCase& load_case, const
         options.load_case.file, material.hotend, material.bed, options.machine.material));
 }
 
-Reinforced design_of(const ReinforceCall& options, const LoadCase& load_case,
-                     const Console& console) {
+Reinforced design_of(const ReinforceCall& options, const LoadCase& load_case, const Console& console) {
+    const double scale = usual_scale(load_case.print);
     ReinforceOptions how;
     how.seeds = options.seeds;
     how.first_seed = static_cast<std::uint32_t>(options.seed);
     how.threads = options.threads;
-    how.shortest_brace = options.shortest_brace;
+    if (options.shortest_brace > 0) how.shortest_brace = scale * options.shortest_brace;
     how.slicer_patterns = !options.only_lines;
     how.progress = progress_on(console);
-    std::optional<Reinforced> found = reinforced(load_case, how);
+    std::optional<Reinforced> found = reinforced(similar(load_case, scale), how);
     const double solid = area(load_case.part);
     if (!found)
         throw Error(fmt::format("{}: fill {:.3g} cannot be reached: walls, pads and the thinnest "
@@ -179,8 +206,10 @@ Reinforced design_of(const ReinforceCall& options, const LoadCase& load_case,
         throw Error(options.load_case.file +
                         ": no layout hangs together between loads and supports; ask for more fill",
                     Fault::infeasible);
-    check_weight(found->best(), load_case, options.load_case.file);
-    return std::move(*found);
+    Reinforced designed = similar(std::move(*found), 1 / scale);
+    drop_off_weight(designed, load_case);
+    check_weight(designed.best(), load_case, options.load_case.file);
+    return designed;
 }
 
 Json layout_json(const Candidate& design, double width) {
@@ -204,13 +233,16 @@ std::string sideways_words(const Strength& strength) {
 void reinforce(const ReinforceCall& options) {
     const Console console = console_of(options.output);
     const LoadCase load_case = case_of(options.load_case);
+    if (const auto lost = unprinted_words(load_case))
+        console.warn(options.load_case.file + ": " + *lost);
     const Machine machine = machine_of(options, load_case);
+    expect_fit(load_case, machine, options.load_case.file);
     const Reinforced found = options.mode == "thesis" ? as_the_thesis(options, load_case)
                                                       : design_of(options, load_case, console);
     const Candidate& best = found.best();
     warn_of_heat(options, load_case, machine.material, console);
     const auto [layout, green] = green_part(best.layout, load_case);
-    const LayeredLayout print = placed(layout, green, machine, options.load_case.file);
+    const LayeredLayout print = placed(layout, green, machine);
     const Assessment cost = write_layout(options, print, machine);
     write_picture(options, load_case, best);
     console.say("{}: {} layers, {}, breaks at {:.1f} N, buckles at {:.1f} N{}, {:.2f} N/g ({})\n",
@@ -224,7 +256,7 @@ void reinforce(const ReinforceCall& options) {
     json["layers"] = print.layers;
     json["time_s"] = cost.motion.duration;
     json["filament_mm"] = cost.motion.extruded;
-    json["fill"] = deposited_area(best.layout, load_case.print.bead_width) / area(load_case.part);
+    json["fill"] = laid_share(best, load_case);
     json["lines"] = layout_json(best, load_case.print.bead_width);
     json["stiffness_bound_n_mm"] = found.stiffness_bound;
     json["designs"] = Json::array();
@@ -256,9 +288,10 @@ void add_reinforce(CLI::App& app) {
         ->capture_default_str();
     command.add_option("--seed", options->seed, "of the first design")
         ->check(CLI::Range(0L, 1000000L));
-    command.add_option("--brace", options->shortest_brace, "mm, the shortest brace")
-        ->check(CLI::Range(1.0, 20.0))
-        ->capture_default_str();
+    command
+        .add_option("--brace", options->shortest_brace,
+                    "mm, the shortest brace; 0: 2.5, more for beads above 0.9 mm")
+        ->check(CLI::Range(0.0, 1000.0));
     command.add_flag("--only-lines", options->only_lines, "no slicer pattern is a candidate");
     command.add_option("--threads", options->threads, "0: all")->check(CLI::Range(0, 1024));
     command

@@ -169,6 +169,8 @@ void warn_of_weights(const std::vector<NamedStrength>& results, const LoadCase& 
 void strength(const StrengthCall& options) {
     const Console console = console_of(options.output);
     const LoadCase load_case = case_of(options.load_case);
+    if (const auto lost = unprinted_words(load_case))
+        console.warn(options.load_case.file + ": " + *lost);
     const std::vector<NamedStrength> results =
         tested(designs_of(options, load_case, console), load_case, options, progress_on(console));
     warn_of_weights(results, load_case, console);
@@ -206,12 +208,15 @@ void add_strength(CLI::App& app) {
                      "also what is borne after the first failure");
     command.add_flag("--anisotropic", options->test.anisotropic,
                      "also for beads weaker across than along");
-    command.add_option("--pixel", options->test.pixel, "mm; 0: a sixth of the bead's width")
+    command.add_option("--pixel", options->load_case.pixel, "mm; 0: a sixth of the bead's width")
         ->check(CLI::Range(0.0, 10.0));
     declare(command, options->printed);
     command.add_option("--threads", options->threads, "0: all")->check(CLI::Range(0, 1024));
     declare(command, options->output);
-    command.callback([options] { strength(*options); });
+    command.callback([options] {
+        options->test.pixel = options->load_case.pixel;
+        strength(*options);
+    });
 }
 
 }  // namespace bead::cli

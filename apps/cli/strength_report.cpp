@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "geom/polygon.h"
 #include "job/solid_material_file.h"
 #include "study/green_part.h"
 #include "study/reinforce.h"
@@ -83,6 +84,18 @@ void declare(CLI::App& command, CaseOptions& options) {
         ->check(CLI::Range(0.0, 1000.0));
 }
 
+// Tests are made on pixels of a sixth of a bead, or of what is asked for.
+void expect_testable(const LoadCase& load_case, const std::string& file, double pixel) {
+    constexpr double most = 1e7, bytes_per_pixel = 1500;
+    const double pixels = area(load_case.part) / (pixel * pixel);
+    if (pixels <= most) return;
+    throw Error(fmt::format("{}: beads of {:g} mm are too fine for a part of {:.4g} mm²: {:.3g} "
+                            "million pixels, some {:.0f} GB; give print.bead_width_mm wider",
+                            file, load_case.print.bead_width, area(load_case.part), pixels / 1e6,
+                            pixels * bytes_per_pixel * 1e-9),
+                Fault::infeasible);
+}
+
 LoadCase case_of(const CaseOptions& options) {
     LoadCase load_case = read_plane_case(options.file);
     if (options.fill > 0) load_case.print.fill = options.fill;
@@ -98,6 +111,14 @@ LoadCase case_of(const CaseOptions& options) {
             }
     load_case.print = as_sintered(load_case.print, load_case.material);
     check_printable(load_case, options.file);
+    constexpr double pixels_per_bead = 6;
+    if (options.pixel > load_case.print.bead_width / 2)
+        throw Error(fmt::format("--pixel {:g}: wider than half a bead, {:g} mm; give less",
+                                options.pixel, load_case.print.bead_width / 2),
+                    Fault::usage);
+    expect_testable(
+        load_case, options.file,
+        options.pixel > 0 ? options.pixel : load_case.print.bead_width / pixels_per_bead);
     return load_case;
 }
 

@@ -28,6 +28,7 @@ struct CaseOptions {
     std::string file;
     std::string solid;          // a material's name, instead of the case's [material]
     double fill = 0;            // 0: as the case says
+    double pixel = 0;           // mm, of the test; 0: a sixth of a bead
     std::vector<double> range;  // degrees and mm by which all loads may turn and move
 };
 void declare(CLI::App& command, CaseOptions& options);

@@ -5,11 +5,13 @@
 #include <algorithm>
 
 #include "fem/vtu.h"
+#include "strength/load_variants.h"
 
 namespace bead::cli {
 namespace {
 
 constexpr double degree = pi / 180;
+constexpr double rounding = 1e-7;  // of the loads: reactions below are the solver's
 
 std::string kind_words(const Sheet& sheet) {
     return sheet.mesh.kind == PlaneElement::t6 ? "triangles of 6 nodes" : "square pixels";
@@ -59,7 +61,8 @@ Extremes extremes(const Sheet& sheet, const SheetAnswer& answer) {
     return e;
 }
 
-void print_answer(const Console& console, const StressReport& report, const SheetAnswer& answer) {
+void print_answer(const Console& console, const StressReport& report, std::size_t number) {
+    const SheetAnswer& answer = report.sheet.answers[number];
     console.say("  work of the loads  {:12.6g} N mm\n", answer.work);
     console.say("  moves at most      {:12.6g} mm\n", answer.largest);
     const Extremes e = extremes(report.sheet, answer);
@@ -67,9 +70,11 @@ void print_answer(const Console& console, const StressReport& report, const Shee
                 e.tension_at.x, e.tension_at.y);
     console.say("  compression to     {:12.4g} MPa at ({:.4g}, {:.4g})\n", -e.compression,
                 e.compression_at.x, e.compression_at.y);
+    const double least = rounding * total_force(report.load_case.situations[number].loads);
+    const auto seen = [&](double force) { return std::abs(force) < least ? 0.0 : force; };
     for (std::size_t i = 0; i < answer.reactions.size(); ++i)
-        console.say("  support {} gives    ({:.5g}, {:.5g}) N\n", i + 1, answer.reactions[i].x,
-                    answer.reactions[i].y);
+        console.say("  support {} gives    ({:.5g}, {:.5g}) N\n", i + 1,
+                    seen(answer.reactions[i].x), seen(answer.reactions[i].y));
     if (answer.probes.empty()) return;
     console.say("\n  probe                 s1, MPa    s2, MPa   angle, deg   von Mises, MPa\n");
     for (const SheetProbe& probe : answer.probes) {
@@ -137,7 +142,7 @@ void print_stress(const Console& console, const StressReport& report) {
     for (std::size_t s = 0; s < report.sheet.answers.size(); ++s) {
         if (report.sheet.answers.size() > 1)
             console.say("\nCase {}, weight {:g}\n", s + 1, report.load_case.situations[s].weight);
-        print_answer(console, report, report.sheet.answers[s]);
+        print_answer(console, report, s);
         if (s < report.buckling.size()) print_buckling(console, report.buckling[s]);
     }
 }

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "fem/stretch.h"
+#include "geom/along.h"
 
 namespace bead {
 namespace {
@@ -82,6 +83,11 @@ void check_load(TomlReader& file, const std::string& key, const Region& part, co
         file.refuse(key,
                     "pulls at a single point, where the displacement is infinite; give it a "
                     "stretch");
+    const auto spans = stretch_spans(part, load.on);
+    const double round = measured_loops(part)[spans->front().loop].length;
+    if (load.move > round / 2)
+        file.refuse(key + ".move_mm",
+                    fmt::format("goes further than half-way round, {:.4g} mm", round / 2));
     if (pull(part, load) < 1e-9)
         file.refuse(key, "presses on the empty side: the force points away from its whole arc");
 }

@@ -182,12 +182,26 @@ std::vector<Situation> read_situations(TomlReader& file) {
     return {read_situation(file, "")};
 }
 
-// Half-way up; its height is the part's thickness.
-Region section_of(const Mesh& mesh, double& thickness) {
+// The section half-way up; low and high up it must be the same. The mesh's height is the part's
+// thickness.
+Region section_of(TomlReader& file, const Mesh& mesh, double& thickness) {
+    constexpr double same = 0.01;  // of the area
     thickness = bounds(mesh).size().z;
+    const double layer = thickness / 5;
     const Slices slices =
-        slice(mesh, {.layer_height = thickness, .first_layer_height = thickness, .threads = 1});
-    return slices.layers.empty() ? Region{} : slices.layers.front().region;
+        slice(mesh, {.layer_height = layer, .first_layer_height = layer, .threads = 1});
+    if (slices.layers.size() < 5) return {};
+    const Region& middle = slices.layers[2].region;
+    for (const std::size_t k : {0U, 4U}) {
+        const Region& other = slices.layers[k].region;
+        const double off = area(difference(middle, other)) + area(difference(other, middle));
+        if (off > same * area(middle))
+            file.refuse("model",
+                        fmt::format("has no constant section: {:.3g} mm up it differs from that "
+                                    "half-way up by {:.3g} of {:.4g} mm²; extrude one outline",
+                                    (double(k) + 0.5) * layer, off, area(middle)));
+    }
+    return middle;
 }
 
 Polyline read_outline(TomlReader& file) {
@@ -208,7 +222,7 @@ Region read_part(TomlReader& file, const std::string& name, double& thickness) {
     if (ways != 1)
         file.refuse("outline", ways == 0 ? "is missing; or give outline_svg or model"
                                          : "cannot stand beside outline_svg or model");
-    if (!model.empty()) return section_of(load_mesh(beside(name, model)), thickness);
+    if (!model.empty()) return section_of(file, load_mesh(beside(name, model)), thickness);
     if (!svg.empty()) {
         const DataFile text = file_on_disk("outline", beside(name, svg));
         return outline_of_svg(text.text, text.place);
@@ -262,7 +276,8 @@ LoadCase plane_case(TomlReader& file, const std::string& name) {
     cut_holes(file, result);
     if (result.part.size() != 1) file.refuse(source_of(file), pieces_words(result.part));
     if (thickness == 0 && !file.place_of("thickness_mm")) file.refuse("thickness_mm", "is missing");
-    result.thickness = file.number("thickness_mm", thickness, positive);
+    constexpr Range thick{.low = 0, .high = farthest, .open_low = true};
+    result.thickness = file.number("thickness_mm", thickness, thick);
     if (file.place_of("guided")) result.guided = file.flag("guided", false);
     result.material = read_material(file, name);
     result.print = read_print(file, name);
@@ -357,22 +372,51 @@ LoadCase read_plane_case(const std::string& file) {
     return std::get<LoadCase>(std::move(any));
 }
 
+namespace {
+
+// The largest piece of the part that no bead gets into.
+Polygon largest_lost(const Region& part, const Region& kept, double width) {
+    Polygon largest{part.front().outer, {}};
+    double most = 0;
+    for (const Polygon& piece : difference(part, offset(kept, 0.05 * width)))
+        if (area(piece) > most) {
+            most = area(piece);
+            largest = piece;
+        }
+    return largest;
+}
+
+}  // namespace
+
 void check_printable(const LoadCase& load_case, const std::string& name) {
+    constexpr double highest = 1.5;  // of the thickness: what rounds to one layer
+    if (load_case.print.layer_height > highest * load_case.thickness)
+        throw Error(
+            fmt::format("{}: print.layer_height_mm is {:g}, the part {:g} mm thick; make "
+                        "layers lower",
+                        name, load_case.print.layer_height, load_case.thickness));
     const double width = load_case.print.bead_width;
     const Region kept = opened(load_case.part, 0.499 * width);
     if (kept.size() == load_case.part.size()) return;
-    const Region lost = difference(load_case.part, offset(kept, 0.05 * width));
-    Vec2 place = bounds(load_case.part).centre();
-    double most = 0;
-    for (const Polygon& piece : lost)
-        if (area(piece) > most) {
-            most = area(piece);
-            place = bounds(piece.outer).centre();
-        }
+    const Vec2 place = bounds(largest_lost(load_case.part, kept, width).outer).centre();
     throw Error(
         fmt::format("{}: the part is thinner than a bead ({:g} mm) near ({:.4g}, {:.4g}); "
                     "make it thicker or print.bead_width_mm smaller",
                     name, width, place.x, place.y));
+}
+
+std::optional<std::string> unprinted_words(const LoadCase& load_case) {
+    constexpr double worth_a_word = 2;  // squares of a bead's width
+    const double width = load_case.print.bead_width;
+    const Region kept = offset(opened(load_case.part, 0.499 * width), 0.05 * width);
+    if (area(difference(load_case.part, kept)) < worth_a_word * width * width) return std::nullopt;
+    const Polygon lost = largest_lost(load_case.part, opened(load_case.part, 0.499 * width), width);
+    if (area(lost) < worth_a_word * width * width) return std::nullopt;
+    const Vec2 place = bounds(lost.outer).centre();
+    return fmt::format(
+        "{:.3g} mm² of the part near ({:.4g}, {:.4g}) are thinner than a bead "
+        "({:g} mm) and will not be printed",
+        area(lost), place.x, place.y, width);
 }
 
 }  // namespace bead

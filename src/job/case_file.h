@@ -6,6 +6,7 @@
 // cross themselves, holes outside the outline, stretches that are not on the boundary, cases
 // without load, supports that let the part move.
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -23,7 +24,10 @@ LoadCase read_plane_case(const std::string& file);
 // `name` is what messages call the text; files it names are relative to its folder.
 AnyCase parsed_case(std::string_view text, const std::string& name);
 
-// Throws if the part, or a neck of it, is thinner than a bead.
+// Throws if the part, or a neck of it, is thinner than a bead, or a layer higher than the part.
 void check_printable(const LoadCase& load_case, const std::string& name);
+
+// What of the part no bead gets into, in words, if it is more than corners.
+std::optional<std::string> unprinted_words(const LoadCase& load_case);
 
 }  // namespace bead

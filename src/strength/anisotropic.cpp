@@ -7,6 +7,7 @@
 #include "fem/pixel_stress.h"
 #include "strength/failure_index.h"
 #include "strength/printed_pixels.h"
+#include "strength/usual_scale.h"
 
 namespace bead {
 namespace {
@@ -71,7 +72,8 @@ double anisotropic_failure_load(std::span<const Toolpath> layers, const LoadCase
                            ? failure_index(own, load_case.material) / beads.crossing
                            : hashin_index(rotated(own, unit(-angle)), load_case.material, beads);
         }
-        const std::vector<double> mean = averaged_over_solid(model, index, averaging);
+        const std::vector<double> mean =
+            averaged_over_solid(model, index, averaging / usual_scale(load_case.print));
         double highest = 0;
         for (std::size_t p = 0; p < mean.size(); ++p)
             if (rig.is_judged()[p]) highest = std::max(highest, mean[p]);

@@ -8,6 +8,7 @@
 #include "fem/stretch.h"
 #include "strength/failure_index.h"
 #include "strength/printed_pixels.h"
+#include "strength/usual_scale.h"
 
 namespace bead {
 namespace {
@@ -40,6 +41,26 @@ std::vector<Polyline> loaded_lines(const LoadCase& load_case,
     return lines;
 }
 
+// As the beads' width and the part's size ask for.
+RigOptions at_scale(RigOptions options, const LoadCase& load_case) {
+    constexpr double most_excluded = 0.15;  // of the part's diagonal
+    const double scale = usual_scale(load_case.print);
+    options.averaging /= scale;
+    options.excluded =
+        std::min(options.excluded / scale, most_excluded * length(bounds(load_case.part).size()));
+    return options;
+}
+
+// Where nothing solid is far from loads and supports, all of it is judged.
+std::vector<std::uint8_t> judged_pixels(const PixelModel& model,
+                                        const std::vector<Polyline>& patches, double excluded) {
+    std::vector<std::uint8_t> judged = far_from(model.grid, patches, excluded);
+    for (std::size_t p = 0; p < judged.size(); ++p)
+        if (judged[p] != 0 && model.factor[p] > 0) return judged;
+    judged.assign(judged.size(), 1);
+    return judged;
+}
+
 std::vector<Vec2> middles(const std::vector<Polyline>& lines) {
     std::vector<Vec2> places;
     places.reserve(lines.size());
@@ -53,7 +74,7 @@ std::optional<TestRig> TestRig::of(std::span<const Toolpath> layers, const LoadC
                                    const RigOptions& options) {
     TestRig rig;
     rig.material_ = load_case.material;
-    rig.options_ = options;
+    rig.options_ = at_scale(options, load_case);
     rig.variants_ = load_variants(load_case);
     std::vector<Polyline> patches = loaded_lines(load_case, rig.variants_);
     PixelModel model;
@@ -77,7 +98,7 @@ std::optional<TestRig> TestRig::of(std::span<const Toolpath> layers, const LoadC
         if (!load) return std::nullopt;
         rig.loads_.push_back(std::move(*load));
     }
-    rig.judged_ = far_from(model.grid, patches, options.excluded);
+    rig.judged_ = judged_pixels(model, patches, rig.options_.excluded);
     return rig;
 }
 

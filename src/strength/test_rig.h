@@ -18,7 +18,7 @@ namespace bead {
 struct RigOptions {
     double pixel = 0.1;      // mm
     double averaging = 0.6;  // mm, radius within which the failure index is averaged
-    double excluded = 4;     // mm around loads and supports that are not judged
+    double excluded = 4;  // mm around loads and supports that are not judged; less in small parts
 };
 
 struct Tested {

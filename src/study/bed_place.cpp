@@ -4,6 +4,7 @@
 #include <array>
 
 #include "geom/along.h"
+#include "geom/clip.h"
 #include "geom/line_index.h"
 #include "geom/resample.h"
 #include "study/part_beads.h"
@@ -217,20 +218,34 @@ std::vector<Toolpath> in_case(const BedPlace& place, std::vector<Toolpath> layer
     return layers;
 }
 
-std::optional<BedPlace> bed_place(const std::vector<Toolpath>& layers, const Region& part,
-                                  const BedPlaceWish& wish) {
+namespace {
+
+Best place_on(const Region& part, const std::vector<Toolpath>& layers, const BedPlaceWish& wish) {
     const Matching match(layers, part);
     Best best;
     if (wish.turn) {
         keep_better(match, match.at(*wish.turn, false, wish.origin), best);
-        return best ? std::optional(best->place) : std::nullopt;
+        return best;
     }
     for (const bool mirrored : {false, true}) {
         for (int quarter = 0; quarter < 4; ++quarter)
             keep_better(match, match.at(quarter * pi / 2, mirrored, wish.origin), best);
         if (!best) best = among_all_turns(match, part, mirrored, wish.origin);
-        if (best) return best->place;
+        if (best) return best;
     }
+    return best;
+}
+
+}  // namespace
+
+std::optional<BedPlace> bed_place(const std::vector<Toolpath>& layers, const Region& part,
+                                  const BedPlaceWish& wish) {
+    if (const Best best = place_on(part, layers, wish)) return best->place;
+    // What is thinner than a bead may be left out of a print.
+    const Region printable = opened(part, 0.45 * mean_width(layers));
+    if (printable.empty() || area(part) - area(printable) < mean_width(layers) * mean_width(layers))
+        return std::nullopt;
+    if (const Best best = place_on(printable, layers, wish)) return best->place;
     return std::nullopt;
 }
 

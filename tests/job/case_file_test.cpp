@@ -123,6 +123,8 @@ TEST(CaseFile, NamesWhatIsWrongAndWhere) {
         {"poisson = 0.3", "name = \"cheese\"", "part.toml:8: material.name = \"cheese\": unknown"},
         {"poisson = 0.3", "name = \"pellet-abs-cf\"", "says nothing of strength"},
         {"poisson = 0.3", "bed_c = 60", "material.bed_c stands alone"},
+        {"fill = 0.3", "layer_height_mm = 5", "layer_height_mm is 5, the part 2 mm thick"},
+        {"move_mm = 2", "move_mm = 80", "load[0].move_mm goes further than half-way round, 50 mm"},
         {"bead_width_mm = 0.5", "bead_width_mm = 4", "thinner than a bead (4 mm) near (20"},
     };
     for (const Row& row : rows) {
@@ -130,6 +132,17 @@ TEST(CaseFile, NamesWhatIsWrongAndWhere) {
         EXPECT_TRUE(says(text, row.words)) << row.to << ": " << text;
         EXPECT_TRUE(text.starts_with("part.toml:")) << text;
     }
+}
+
+TEST(CaseFile, TellsWhatIsTooThinToPrint) {
+    const auto words = [](const std::string& from, const std::string& to) {
+        return unprinted_words(std::get<LoadCase>(parsed_case(changed(from, to), "x")));
+    };
+    EXPECT_FALSE(words("fill = 0.3", "fill = 0.3"));
+    const auto thin =
+        words("[40, 10], [0, 10]]", "[40, 10], [10, 10], [10, 15], [9.7, 15], [9.7, 10], [0, 10]]");
+    ASSERT_TRUE(thin);
+    EXPECT_TRUE(says(*thin, "near (9.85, 12")) << *thin;
 }
 
 TEST(CaseFile, KnowsTheEmptySideOfAHole) {

@@ -159,6 +159,22 @@ TEST(Stress, OfAMeshBendsLikeABeam) {
     EXPECT_NEAR(plane["work_n_mm"], known, 0.01 * known);
 }
 
+TEST(Stress, RefusesAMeshWithoutAConstantSection) {
+    const Folder folder;
+    std::string wedge = box_stl(60, 6, 6);
+    const std::string corner = "vertex 60.000000 6.000000 6.000000";
+    for (std::size_t at = wedge.find(corner); at != std::string::npos; at = wedge.find(corner, at))
+        wedge.replace(at, corner.size(), "vertex 60 4 6");
+    (void)folder.write("box.stl", wedge);
+    const test::Outcome run = beadwork(
+        "stress " + folder.write("a.toml",
+                                 "model = \"box.stl\"\n[[support]]\nfrom = [0,0]\nto = [0,6]\n"
+                                 "[[load]]\nfrom = [0,0]\nto = [0,6]\nforce_n = [0,-1]\n"));
+    EXPECT_EQ(run.status, 3);
+    EXPECT_NE(run.err.find("a.toml:1: model has no constant section"), std::string::npos)
+        << run.err;
+}
+
 TEST(Stress, SaysWhatIsWrongInOneLine) {
     const Folder folder;
     const std::string head =

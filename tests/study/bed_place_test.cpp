@@ -80,6 +80,16 @@ TEST(BedPlace, IsNoneForAnotherPart) {
     EXPECT_FALSE(bed_place(laid, box_part({40, 31.5})));
 }
 
+// A rib thinner than a bead is in the case, not in the print.
+TEST(BedPlace, IsFoundWithoutWhatIsTooThinToPrint) {
+    LoadCase load_case = bracket();
+    const std::vector<Toolpath> laid = sliced(load_case);
+    Polyline& outer = load_case.part[0].outer;
+    for (const Vec2 p : {Vec2{6, 30}, Vec2{6, 36}, Vec2{5.7, 36}, Vec2{5.7, 30}})
+        outer.insert(outer.end() - 1, p);
+    EXPECT_TRUE(bed_place(laid, load_case.part));
+}
+
 TEST(BedPlace, IsAsTold) {
     const LoadCase load_case = cantilever_case({40, 12});
     const std::vector<Toolpath> laid = sliced(load_case);
