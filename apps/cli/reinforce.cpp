@@ -185,7 +185,8 @@ void warn_of_heat(const ReinforceCall& options, const LoadCase& load_case, const
         options.load_case.file, material.hotend, material.bed, options.machine.material));
 }
 
-Reinforced design_of(const ReinforceCall& options, const LoadCase& load_case, const Console& console) {
+Reinforced design_of(const ReinforceCall& options, const LoadCase& load_case,
+                     const Console& console) {
     const double scale = usual_scale(load_case.print);
     ReinforceOptions how;
     how.seeds = options.seeds;

@@ -1,6 +1,6 @@
 // The lengths that tests and designs go by (the failure index averaged over 0.6 mm, 4 mm around
-// loads that are not judged, a brace of 2.5 mm …) are those of ordinary nozzles. Beads much wider or
-// finer are judged as the similar part of ordinary beads: times this scale.
+// loads that are not judged, a brace of 2.5 mm …) are those of ordinary nozzles. Beads much wider
+// or finer are judged as the similar part of ordinary beads: times this scale.
 #pragma once
 #include "fem/load_case.h"
 
