@@ -18,7 +18,6 @@ constexpr double least_cell = 0.8;   // mm; shorter ways between beads are no ce
 constexpr double end_cost = 1.5;     // mm of length that a brace costs besides its own
 constexpr std::size_t kept = 3000;   // candidates that are looked at closely
 constexpr double apart = 1.2;        // mm, between the middles of two braces
-constexpr double over = 6;           // mm by which the last brace may exceed the budget
 constexpr double enough = 0.9;       // of the budget
 constexpr double worth = 1e-6;       // of the measure, that a brace must gain
 
@@ -184,7 +183,8 @@ Layout braces(const TestRig& rig, const LoadCase& load_case, const std::vector<V
     Layout chosen;
     double used = 0;
     while (used < enough * whole && chosen.size() < static_cast<std::size_t>(options.most)) {
-        const std::optional<std::size_t> best = best_of(candidates, spaces, whole - used + over);
+        const std::optional<std::size_t> best =
+            best_of(candidates, spaces, whole - used + options.over);
         if (!best) break;
         const Candidate brace = candidates[*best];
         for (std::size_t v = 0; v < spaces.size(); ++v) spaces[v].added += brace.stiffness[v];

@@ -13,6 +13,7 @@ namespace bead {
 
 struct BraceOptions {
     double area = 10;                     // mm² of bead that may be spent
+    double over = 6;                      // mm by which the last brace may exceed the area
     int most = 8;                         // braces
     double shortest = 2.5, longest = 26;  // mm
     int cells = 6;                        // that one brace may cross

@@ -27,6 +27,8 @@ struct LayoutLine {
     std::vector<Vec2> points;  // closed lines repeat their first point
 };
 
+inline constexpr double solid_pitch = 0.95;  // bead widths between beads that shall close up
+
 using Layout = std::vector<LayoutLine>;
 
 double deposited_area(const Layout& layout, double bead_width);  // mm², overlaps counted twice

@@ -15,7 +15,6 @@ constexpr double sample = 0.25;  // mm
 constexpr double around = 1;     // mm along a line over which the index is looked at
 constexpr double shortest_way = 2, longest_way = 15;  // mm, either way from the hot spot
 constexpr double beyond = 1;                          // mm more than is warm
-constexpr double aside = 0.5;                         // mm between copies
 constexpr int most_copies = 20;
 constexpr double outward = 0.05;         // mm, where a copy's room is looked at
 constexpr double room = 0.7;             // share of solid below which a copy has room
@@ -33,7 +32,8 @@ class Patcher {
           options_(options),
           highest_(*std::ranges::max_element(index)),
           inside_(offset(load_case.part, -load_case.print.bead_width / 2 + 1e-4)),
-          width_(load_case.print.bead_width) {
+          width_(load_case.print.bead_width),
+          aside_(solid_pitch * width_) {
         for (const LayoutLine& line : layout) lines_.push_back(resampled(line.points, sample));
     }
 
@@ -50,7 +50,9 @@ class Patcher {
             spots.push_back(spot);
             const auto line = nearest.nearest(spot, 2 * width_);
             const std::optional<Polyline> copy =
-                line ? copy_of(warm_stretch(lines_[line->line], line->along)) : std::nullopt;
+                line ? copy_of(warm_stretch(lines_[line->line], line->along),
+                               spots.size() == 1 ? options_.place : 0)
+                     : std::nullopt;
             if (!copy) {
                 if (index_[pixel] > hopeless * highest_) return std::nullopt;
                 continue;
@@ -100,29 +102,30 @@ class Patcher {
         return {line.begin() + end(-1), line.begin() + end(1) + 1};
     }
 
-    // Of the line, moved aside step by step until there is room, to the emptier side.
-    std::optional<Polyline> copy_of(const Polyline& stretch) const {
+    // Of the line, moved aside step by step until there is room, to the emptier side first;
+    // `place` of those that are found so.
+    std::optional<Polyline> copy_of(const Polyline& stretch, int place) const {
         if (stretch.size() < 6) return std::nullopt;
+        int found = 0;
         for (int number = 1; number <= most_copies; ++number) {
-            std::optional<Polyline> best;
-            double fullest = room;
-            for (const double side : {1.0, -1.0}) {
-                const double off = side * number * aside;
-                const Polyline copy = shifted_aside(stretch, off);
-                if (share(copy, [&](Vec2 p) { return contains(inside_, p); }) < inside_share)
-                    continue;
-                const double solid =
-                    share(shifted_aside(stretch, off + side * outward), [&](Vec2 p) {
-                        const std::optional<std::size_t> pixel = pixel_at(model_.grid, p);
-                        return pixel && model_.factor[*pixel] > 0;
-                    });
-                if (solid >= fullest) continue;
-                fullest = solid;
-                best = copy;
-            }
-            if (best) return clipped(*best);
+            const double left = fullness(stretch, number, 1), right = fullness(stretch, number, -1);
+            const double first = left <= right ? 1 : -1;
+            for (const double side : {first, -first})
+                if ((side > 0 ? left : right) < room && found++ == place)
+                    return clipped(shifted_aside(stretch, side * number * aside_));
         }
         return std::nullopt;
+    }
+
+    // How much of a copy's outer side is solid already; 1 if the copy is not inside.
+    double fullness(const Polyline& stretch, int number, double side) const {
+        const double off = side * number * aside_;
+        const Polyline copy = shifted_aside(stretch, off);
+        if (share(copy, [&](Vec2 p) { return contains(inside_, p); }) < inside_share) return 1;
+        return share(shifted_aside(stretch, off + side * outward), [&](Vec2 p) {
+            const std::optional<std::size_t> pixel = pixel_at(model_.grid, p);
+            return pixel && model_.factor[*pixel] > 0;
+        });
     }
 
     template <class Test>
@@ -145,6 +148,7 @@ class Patcher {
     double highest_;
     Region inside_;
     double width_;
+    double aside_;  // mm between copies
     std::vector<Polyline> lines_;
 };
 

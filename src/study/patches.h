@@ -14,6 +14,7 @@ struct PatchLineOptions {
     double warm = 0.8;  // as far along a line as this goes its copy
     double apart = 4;   // mm between hot spots
     int most = 9;
+    int place = 0;  // of those that have room beside the hottest line, the nearest is 0
 };
 
 // `index` per pixel, averaged; of several variants the highest. Nothing if the hottest spot has no

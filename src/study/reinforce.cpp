@@ -14,8 +14,9 @@
 namespace bead {
 namespace {
 
-// Of the area, held back for braces: soft materials buckle before they break, stiff ones do not.
-constexpr double soft_reserve = 0.06, stiff_reserve = 0.03;
+// Of the area, held back for braces and patches: soft materials buckle before they break, stiff
+// ones need patches only.
+constexpr double soft_reserve = 0.09, stiff_reserve = 0.06;
 constexpr double stiff_from = 100;     // Young's modulus over strength
 constexpr double thinnest_web = 0.06;  // of the area, lines that there must be room for
 constexpr double pixels_per_bead = 4;
@@ -41,7 +42,9 @@ Candidate grown(const LoadCase& load_case, const Layout& fixed, const Densities&
                 std::uint32_t seed, const ReinforceOptions& options) {
     const double whole = asked_area(load_case);
     Layout lines = stress_lines(load_case, fixed, best,
-                                {.area = whole * (1 - reserve(load_case.material)), .seed = seed});
+                                {.area = whole * (1 - reserve(load_case.material)),
+                                 .least = solid_pitch * load_case.print.bead_width,
+                                 .seed = seed});
     StrengthenOptions how;
     how.area = whole;
     how.pixel = options.pixel > 0 ? options.pixel : load_case.print.bead_width / pixels_per_bead;

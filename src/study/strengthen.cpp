@@ -13,14 +13,14 @@ namespace bead {
 namespace {
 
 constexpr int most_steps = 60;
-constexpr double worse = 0.985;          // of the failure factor, below which a patch is taken back
-constexpr double fruitful = 1.003;       // of it, that a patch step shall reach
-constexpr int unneeded = 2;              // times as many braces where they only fill up
-constexpr int patience = 2;              // fruitless patch steps in a row
-constexpr double mode_tolerance = 0.02;  // of the lowest factor, on the way
-constexpr double other_tolerance = 0.5;  // of those above it
-constexpr int most_vectors = 48;         // in which modes are sought, on the way
-constexpr double overdraw = 0.004;       // of the area, that patches may exceed it by
+constexpr double fruitful = 1.003;        // of the failure factor, that a patch step shall reach
+constexpr int unneeded = 2;               // times as many braces where they only fill up
+constexpr int patience = 4;               // patch steps in a row without fruit, each in its way
+constexpr double mode_tolerance = 0.02;   // of the lowest factor, on the way
+constexpr double other_tolerance = 0.5;   // of those above it
+constexpr int most_vectors = 48;          // in which modes are sought, on the way
+constexpr std::size_t most_searched = 3;  // variants, those that buckle first
+constexpr double overdraw = 0.004;        // of the area, by which it may be exceeded
 
 // A layout under test: all variants.
 struct Trial {
@@ -45,6 +45,12 @@ std::optional<Trial> trial_of(const LoadCase& load_case, const Layout& layout, d
     }
     return trial;
 }
+
+struct CoarseVariant {
+    std::size_t variant = 0;
+    double factor = std::numeric_limits<double>::infinity();
+    std::vector<PixelVector> start;
+};
 
 class Loop {
   public:
@@ -75,14 +81,12 @@ class Loop {
     void find_modes() {
         const std::vector<VariantModes> before = std::exchange(modes_, {});
         buckling_ = std::numeric_limits<double>::infinity();
-        for (std::size_t v = 0; v < trial_->tested.size(); ++v) {
+        for (CoarseVariant& coarse : first_to_buckle(before)) {
+            const std::size_t v = coarse.variant;
             BucklingOptions how{
                 .count = options_.modes, .tolerance = mode_tolerance, .others = other_tolerance};
             how.most = most_vectors;
-            if (!before.empty())
-                for (const BucklingMode& mode : before[v].modes) how.start.push_back(mode.shape);
-            else
-                how.start = coarse_start(v);
+            how.start = std::move(coarse.start);
             modes_.push_back({v, trial_->rig.modes(v, trial_->tested[v].displacement, how)});
             if (!modes_.back().modes.empty())
                 buckling_ = std::min(buckling_, modes_.back().modes.front().factor);
@@ -90,10 +94,27 @@ class Loop {
         modes_are_of_trial_ = true;
     }
 
-    std::vector<PixelVector> coarse_start(std::size_t variant) const {
+    // The variants that buckle first as coarse pixels have it, with shapes to start from: those of
+    // `before` where it has them.
+    std::vector<CoarseVariant> first_to_buckle(const std::vector<VariantModes>& before) const {
+        std::vector<CoarseVariant> found(trial_->tested.size());
+        for (std::size_t v = 0; v < found.size(); ++v) found[v].variant = v;
+        for (const VariantModes& of : before)
+            for (const BucklingMode& mode : of.modes) found[of.variant].start.push_back(mode.shape);
+        if (found.size() > most_searched || before.empty()) look_coarsely(found);
+        std::ranges::stable_sort(found, std::less{}, &CoarseVariant::factor);
+        if (found.size() > most_searched) found.resize(most_searched);
+        return found;
+    }
+
+    void look_coarsely(std::vector<CoarseVariant>& variants) const {
         const Toolpath layer = layer_of(result_.layout, case_.print);
         const CoarseModes coarse({&layer, 1}, case_, 2 * options_.pixel);
-        return coarse.start(coarse.of(variant), trial_->rig.model().grid);
+        for (CoarseVariant& of : variants) {
+            const Buckling buckling = coarse.of(of.variant);
+            if (!buckling.modes.empty()) of.factor = buckling.modes.front().factor;
+            if (of.start.empty()) of.start = coarse.start(buckling, trial_->rig.model().grid);
+        }
     }
 
     void note(bool braces, std::size_t lines) {
@@ -108,8 +129,13 @@ class Loop {
 
     void patch() {
         const double budget = std::min(options_.patch_step * options_.area, left());
-        const std::optional<Layout> more = patch_lines(result_.layout, trial_->rig.model(),
-                                                       trial_->index, case_, {.area = budget});
+        PatchLineOptions how{.area = budget};
+        if (fruitless_ > 0) {  // only the hottest, at the nearest place, then at other ones
+            how.most = 1;
+            how.place = fruitless_ - 1;
+        }
+        const std::optional<Layout> more =
+            patch_lines(result_.layout, trial_->rig.model(), trial_->index, case_, how);
         if (!more ||
             deposited_area(*more, case_.print.bead_width) > left() + overdraw * options_.area) {
             ++fruitless_;
@@ -119,7 +145,7 @@ class Loop {
         with.insert(with.end(), more->begin(), more->end());
         std::optional<Trial> next = trial_of(case_, with, options_.pixel);
         const double before = trial_->failure;
-        if (!next || next->failure < worse * before) {
+        if (!next || next->failure < before) {
             ++fruitless_;
             return;
         }
@@ -135,6 +161,8 @@ class Loop {
         BraceOptions how;
         how.area = std::min(share * options_.brace_step * options_.area, left());
         how.most *= share;
+        how.over = std::min(
+            how.over, (left() - how.area + overdraw * options_.area) / case_.print.bead_width);
         how.shortest = options_.shortest_brace;
         const Layout more = braces(trial_->rig, case_, modes_, how);
         if (more.empty()) return false;
@@ -144,7 +172,7 @@ class Loop {
         if (!next) return false;
         take(std::move(next), more);
         if (left() > options_.full * options_.area) find_modes();
-        fruitless_ = std::max(fruitless_ - share, 0);
+        fruitless_ = 0;
         note(true, more.size());
         return true;
     }
