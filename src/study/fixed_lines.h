@@ -7,10 +7,10 @@ namespace bead {
 
 inline constexpr double bead_overlap = 0.1;  // mm, by which neighbouring solid beads overlap
 
-// Beads along all boundaries, the first half a width inside.
 // The stretches of the boundary where loads, all along their ranges, and supports are.
 std::vector<Polyline> patches_of(const LoadCase& load_case);
 
+// Beads along all boundaries, the first half a width inside.
 Layout wall_lines(const Region& part, double bead_width, int walls);
 
 // As many beads deep as `depth` beside each stretch that is loaded or held, and a millimetre longer
