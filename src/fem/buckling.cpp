@@ -6,6 +6,7 @@
 
 #include "core/expects.h"
 #include "fem/pixel_element.h"
+#include "fem/start_noise.h"
 #include "numeric/block_lanczos.h"
 
 namespace bead {
@@ -67,17 +68,6 @@ PixelVector applied(const Geometric& g, const PixelGrid& grid, std::span<const d
     return result;
 }
 
-// The same on every machine; the low bits of a multiplicative generator are not used.
-std::vector<double> noise(std::size_t count) {
-    std::vector<double> values(count);
-    std::uint64_t state = 20261125;
-    for (double& value : values) {
-        state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-        value = double(state >> 40) / double(1 << 24) - 0.5;
-    }
-    return values;
-}
-
 // -Kg on vectors over the solid nodes only.
 class Packed {
   public:
@@ -117,8 +107,9 @@ class Packed {
             for (const std::size_t node : nodes())
                 block.insert(block.end(), {guess[2 * node], guess[2 * node + 1]});
         const std::size_t rest = whole - guesses.size() % whole;
-        const std::vector<double> more =
-            guesses.empty() || rest < whole ? noise(size() * rest) : std::vector<double>{};
+        const std::vector<double> more = guesses.empty() || rest < whole
+                                             ? start_noise(size() * rest, 20261125)
+                                             : std::vector<double>{};
         block.insert(block.end(), more.begin(), more.end());
         return block;
     }

@@ -8,6 +8,7 @@
 #include "core/expects.h"
 #include "fem/pixel_stress.h"
 #include "fem/plate_element.h"
+#include "fem/start_noise.h"
 #include "numeric/block_lanczos.h"
 #include "numeric/frontal_cholesky.h"
 
@@ -124,17 +125,6 @@ bool is_loose(const PixelModel& sheet, const PlateNumbering& numbering, const Pl
     return parts.eigenvalues()[0] <= 1e-9 * parts.eigenvalues()[2];
 }
 
-// The same on every machine.
-std::vector<double> plate_noise(std::size_t count) {
-    std::vector<double> values(count);
-    std::uint64_t state = 20261126;
-    for (double& value : values) {
-        state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-        value = double(state >> 40) / double(1 << 24) - 0.5;
-    }
-    return values;
-}
-
 }  // namespace
 
 std::vector<PlaneLaw> plate_rigidity(const PixelModel& sheet) {
@@ -175,7 +165,7 @@ std::optional<PlateBuckling> plate_buckling(const PixelModel& sheet,
     };
     const std::size_t size = packed_held.size();
     const Modes modes =
-        block_modes(map, plate_noise(size * block), size,
+        block_modes(map, start_noise(size * block, 20261126), size,
                     {.count = 1, .tolerance = options.tolerance, .most = options.most});
     PlateBuckling result;
     result.converged = modes.converged;
