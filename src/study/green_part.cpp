@@ -1,13 +1,8 @@
 #include "study/green_part.h"
 
+#include "study/similar_case.h"
+
 namespace bead {
-namespace {
-
-void scale(Polyline& line, double by) {
-    for (Vec2& p : line) p = by * p;
-}
-
-}  // namespace
 
 PrintWish as_sintered(const PrintWish& green, const SolidMaterial& material) {
     PrintWish sintered = green;
@@ -27,18 +22,12 @@ Toolpath as_sintered(Toolpath green, const SolidMaterial& material) {
     return green;
 }
 
-GreenPart green_part(Layout layout, LoadCase load_case) {
+GreenPart green_part(Layout layout, const LoadCase& load_case) {
     const SolidMaterial& material = load_case.material;
-    const double plane = material.green_plane;
-    for (LayoutLine& line : layout) scale(line.points, plane);
-    for (Polygon& polygon : load_case.part) {
-        scale(polygon.outer, plane);
-        for (Polyline& hole : polygon.holes) scale(hole, plane);
-    }
-    load_case.thickness *= material.green_height;
-    load_case.print.bead_width *= plane;
-    load_case.print.layer_height *= material.green_height;
-    return {std::move(layout), std::move(load_case)};
+    LoadCase larger = similar(load_case, material.green_plane);
+    larger.thickness = load_case.thickness * material.green_height;
+    larger.print.layer_height = load_case.print.layer_height * material.green_height;
+    return {similar(std::move(layout), material.green_plane), std::move(larger)};
 }
 
 }  // namespace bead

@@ -11,12 +11,12 @@ PrintWish as_sintered(const PrintWish& green, const SolidMaterial& material);
 // A layer of a green part's print as it is once sintered.
 Toolpath as_sintered(Toolpath green, const SolidMaterial& material);
 
-// What is to be printed: the layout and the case's part and beads made larger. Loads and supports
-// are left as they are, so it is good for printing only. Other materials stay as they are.
+// What is to be printed: the layout and the case's part, places and beads made larger; it is good
+// for printing only. Other materials stay as they are.
 struct GreenPart {
     Layout layout;
     LoadCase load_case;
 };
-GreenPart green_part(Layout layout, LoadCase load_case);
+GreenPart green_part(Layout layout, const LoadCase& load_case);
 
 }  // namespace bead

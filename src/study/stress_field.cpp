@@ -22,14 +22,6 @@ PixelModel solid_model(const LoadCase& load_case, double cell) {
     return model;
 }
 
-std::vector<char> nodes_of_solid(const PixelModel& model) {
-    std::vector<char> known(model.grid.nodes(), 0);
-    for (std::size_t p = 0; p < model.factor.size(); ++p)
-        if (model.factor[p] > 0)
-            for (const std::size_t node : model.grid.corners(p)) known[node] = 1;
-    return known;
-}
-
 // One row of nodes farther.
 void extend(Sampled<PlaneTensor>& field, std::vector<char>& known) {
     const std::vector<char> before = known;
@@ -69,7 +61,8 @@ Sampled<PlaneTensor> solid_stress(const LoadCase& load_case, std::size_t situati
     const PixelGrid& grid = solver.model().grid;
     Sampled<PlaneTensor> field{grid.origin, grid.size, grid.columns + 1, grid.rows + 1,
                                node_stress(solver.model(), solver.solve(*load).values)};
-    std::vector<char> known = nodes_of_solid(solver.model());
+    std::vector<char> known(grid.nodes(), 0);
+    for (const std::size_t node : solver.solid_nodes()) known[node] = 1;
     for (int i = 0; i < nodes_beyond; ++i) extend(field, known);
     return field;
 }
