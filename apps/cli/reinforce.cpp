@@ -104,8 +104,7 @@ std::string picture_of(const LoadCase& load_case, const Candidate& design) {
     picture.part = load_case.part;
     picture.bead_width = load_case.print.bead_width;
     for (const std::size_t kind : order) {
-        const bool is_pattern =
-            kind == 2 && !design.name.starts_with("stress") && !design.name.starts_with("thesis");
+        const bool is_pattern = kind == 2 && design.is_baseline;
         PicturedLines group{is_pattern ? "infill" : std::string(names[kind]), inks[kind], {}};
         for (const LayoutLine& line : design.layout)
             if (static_cast<std::size_t>(line.kind) == kind) group.lines.push_back(line.points);
@@ -262,8 +261,8 @@ void reinforce(const ReinforceCall& options) {
     json["stiffness_bound_n_mm"] = found.stiffness_bound;
     json["designs"] = Json::array();
     for (const Candidate& candidate : found.candidates)
-        json["designs"].push_back(strength_json(
-            {candidate.name, candidate.strength, !candidate.name.starts_with("stress")}));
+        json["designs"].push_back(
+            strength_json({candidate.name, candidate.strength, candidate.is_baseline}));
     json["cpu_s"] = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
     write_result(options.output.json, json);
 }

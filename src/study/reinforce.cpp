@@ -76,7 +76,7 @@ std::vector<Candidate> challengers(const LoadCase& load_case, double bar, int th
         std::optional<Layout> layout = slicer_layout(load_case, settings[i]);
         if (!layout || promise(load_case, *layout) < unsure * bar) return;
         const Strength strength = scored(load_case, *layout);
-        found[i] = Candidate{name_of(settings[i]), std::move(*layout), strength, {}};
+        found[i] = Candidate{name_of(settings[i]), std::move(*layout), strength, {}, true};
     });
     std::vector<Candidate> candidates;
     for (std::optional<Candidate>& candidate : found)

@@ -31,6 +31,7 @@ struct Candidate {
     Layout layout;
     Strength strength;
     std::vector<StrengthenStep> steps;
+    bool is_baseline = false;  // a slicer's pattern
 };
 
 struct Reinforced {
