@@ -4,36 +4,14 @@
 
 #include "core/expects.h"
 #include "fem/pixel_element.h"
+#include "fem/solid_numbering.h"
 #include "numeric/conjugate_gradients.h"
 #include "numeric/frontal_cholesky.h"
 
 namespace bead {
 namespace {
 
-// The nodes that touch something solid, numbered in their order.
-struct Numbering {
-    std::vector<int> point_of;        // per node; -1: none
-    std::vector<std::size_t> nodes;   // per point
-    std::vector<std::size_t> pixels;  // that are solid
-};
-
-Numbering numbering_of(const PixelModel& model) {
-    Numbering numbering;
-    numbering.point_of.assign(model.grid.nodes(), -1);
-    for (std::size_t pixel = 0; pixel < model.factor.size(); ++pixel) {
-        if (model.factor[pixel] == 0) continue;
-        numbering.pixels.push_back(pixel);
-        for (const std::size_t node : model.grid.corners(pixel)) numbering.point_of[node] = 0;
-    }
-    for (std::size_t node = 0; node < numbering.point_of.size(); ++node) {
-        if (numbering.point_of[node] < 0) continue;
-        numbering.point_of[node] = int(numbering.nodes.size());
-        numbering.nodes.push_back(node);
-    }
-    return numbering;
-}
-
-ElementPattern pattern_of(const PixelModel& model, const Numbering& numbering) {
+ElementPattern pattern_of(const PixelModel& model, const SolidNumbering& numbering) {
     ElementPattern pattern;
     for (const std::size_t node : numbering.nodes) {
         const Vec2 place = model.grid.place(node);
@@ -45,7 +23,8 @@ ElementPattern pattern_of(const PixelModel& model, const Numbering& numbering) {
     return pattern;
 }
 
-FrontalCholesky factored(const PixelModel& model, const Held& held, const Numbering& numbering) {
+FrontalCholesky factored(const PixelModel& model, const Held& held,
+                         const SolidNumbering& numbering) {
     const auto unit_matrix = square_stiffness(model.law);
     const ElementMatrix matrix = [&](std::size_t element, std::span<double> values) {
         const std::size_t pixel = numbering.pixels[element];
@@ -86,7 +65,7 @@ std::vector<double> diagonal(const PixelModel& model) {
 struct PixelSolver::Factor {
     PixelModel model;
     Held held;
-    Numbering numbering;
+    SolidNumbering numbering;
     FrontalCholesky cholesky;
 
     // K^-1 of the factor, on vectors over all nodes; 0 where it has no unknown.
@@ -111,7 +90,7 @@ PixelSolver::PixelSolver(PixelModel model, Held held) {
     BEAD_EXPECTS(held.size() == 2 * model.grid.nodes());
     BEAD_EXPECTS(model.factor.size() == model.grid.pixels());
     BEAD_EXPECTS(model.laws.empty() || model.laws.size() == model.factor.size());
-    Numbering numbering = numbering_of(model);
+    SolidNumbering numbering = solid_numbering(model);
     FrontalCholesky cholesky = factored(model, held, numbering);
     factor_ = std::make_unique<Factor>(
         Factor{std::move(model), std::move(held), std::move(numbering), std::move(cholesky)});

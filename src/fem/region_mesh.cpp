@@ -16,8 +16,8 @@ using Triangles = std::vector<std::array<int, 3>>;
 constexpr int smoothings = 8;
 constexpr int most_repairs = 25;
 constexpr double half_level =
-    1.189207115002721;         // 2^(1/4); lattices are a factor of its square apart
-constexpr double flat = 1e-5;  // area of a triangle that is none, of its longest side's square
+    1.189207115002721;               // 2^(1/4); lattices are a factor of its square apart
+constexpr double degenerate = 1e-5;  // area of a triangle, of its longest side's square
 
 // Points by the square cell that they lie in.
 class Bins {
@@ -154,7 +154,7 @@ void Mesher::triangulate() {
     for (const std::array<int, 3>& t : delaunay(points)) {
         const Vec2 a = at(t[0]), b = at(t[1]), c = at(t[2]);
         const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
-        if (cross(b - a, c - a) < flat * longest * longest) continue;
+        if (cross(b - a, c - a) < degenerate * longest * longest) continue;
         const bool on_boundary = is_boundary(t[0]) && is_boundary(t[1]) && is_boundary(t[2]);
         if (on_boundary && !contains(outline_, 1.0 / 3 * (a + b + c))) continue;
         triangles_.push_back(t);
