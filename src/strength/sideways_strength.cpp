@@ -12,7 +12,7 @@ namespace {
 
 constexpr double thin = 10, very_thin = 5;  // bead widths
 constexpr double sheet_from = 5;            // thicknesses: what is as wide counts as a sheet
-constexpr double pixels_per_bead = 3;
+constexpr double coarse_pixels_per_bead = 3;
 
 // mm of solid across a bead at a pixel, looked for up to `most` either way.
 double width_across(const PixelModel& model, std::size_t pixel, Vec2 across, double most) {
@@ -73,7 +73,7 @@ double twist_share(double width, double thickness) {
 std::optional<double> sideways_load(std::span<const Toolpath> layers, const LoadCase& load_case,
                                     const SidewaysOptions& options) {
     const double pixel =
-        options.pixel > 0 ? options.pixel : load_case.print.bead_width / pixels_per_bead;
+        options.pixel > 0 ? options.pixel : load_case.print.bead_width / coarse_pixels_per_bead;
     const std::optional<TestRig> rig = TestRig::of(layers, load_case, {.pixel = pixel});
     if (!rig) return std::nullopt;
     const std::vector<PlaneLaw> rigidity = printed_rigidity(rig->model(), layers.front());
