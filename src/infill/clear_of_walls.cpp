@@ -9,7 +9,7 @@
 namespace bead {
 namespace {
 
-constexpr double sample = 0.2;  // mm
+constexpr double sample_step = 0.2;  // mm
 
 struct NearRun {
     std::size_t first = 0, last = 0;  // samples
@@ -33,7 +33,7 @@ class Walls {
 
     // Stretches that run along a wall for longer than a joint does.
     [[nodiscard]] std::vector<NearRun> runs(const std::vector<double>& far) const {
-        const auto longest = static_cast<std::size_t>(std::lround(options_.longest / sample));
+        const auto longest = static_cast<std::size_t>(std::lround(options_.longest / sample_step));
         std::vector<NearRun> runs;
         for (std::size_t i = 0; i < far.size(); ++i) {
             if (far[i] >= options_.near) continue;
@@ -83,7 +83,7 @@ std::vector<FamilyLine> clear_of_walls(const std::vector<FamilyLine>& lines,
     const Walls near(walls, options);
     std::vector<FamilyLine> pieces;
     for (const FamilyLine& line : lines) {
-        const Polyline even = resampled(line.points, sample);
+        const Polyline even = resampled(line.points, sample_step);
         const std::vector<double> far = near.distances(even);
         const std::vector<NearRun> runs = near.runs(far);
         if (runs.empty()) {
@@ -108,8 +108,8 @@ double length_along_walls(const std::vector<FamilyLine>& lines, std::span<const 
     const Walls near(walls, options);
     double sum = 0;
     for (const FamilyLine& line : lines)
-        for (const NearRun& run : near.runs(near.distances(resampled(line.points, sample))))
-            sum += static_cast<double>(run.last - run.first) * sample;
+        for (const NearRun& run : near.runs(near.distances(resampled(line.points, sample_step))))
+            sum += static_cast<double>(run.last - run.first) * sample_step;
     return sum;
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double corner = 0.35;  // rad; an edge that turns more has a corner there
 
-double turn(const MeasuredLoop& loop, std::size_t i) {
+double turn_at(const MeasuredLoop& loop, std::size_t i) {
     const std::size_t n = loop.points.size();
     const Vec2 at = loop.points[i];
     const Vec2 before = at - loop.points[(i + n - 1) % n], after = loop.points[(i + 1) % n] - at;
@@ -40,7 +40,7 @@ std::vector<EdgeSeed> edge_seeds(const Region& region, double apart) {
     for (const MeasuredLoop& loop : measured_loops(region)) {
         std::vector<double> corners;
         for (std::size_t i = 0; i < loop.points.size(); ++i)
-            if (std::abs(turn(loop, i)) > corner) corners.push_back(loop.at[i]);
+            if (std::abs(turn_at(loop, i)) > corner) corners.push_back(loop.at[i]);
         if (corners.empty()) corners.push_back(0);
         corners.push_back(corners.front() + loop.length);
         for (std::size_t i = 0; i + 1 < corners.size(); ++i)

@@ -7,7 +7,7 @@
 namespace bead {
 namespace {
 
-constexpr double turn = 2 * pi;
+constexpr double full_turn = 2 * pi;
 constexpr double closes = 1e-3;  // rad, by which a triangle's loop may fail to close
 
 struct Crossing {
@@ -38,7 +38,7 @@ class Levels {
     PhaseStep grown(int i, int j) const {
         PhaseStep step = phase_step(grid_, i, j);
         const double there = step.flips ? -phase(j) : phase(j);
-        step.growth += std::remainder(there - phase(i) - step.growth, turn);
+        step.growth += std::remainder(there - phase(i) - step.growth, full_turn);
         return step;
     }
 
@@ -46,7 +46,8 @@ class Levels {
         const EdgeKey key{std::min(i, j), std::max(i, j)};
         const auto [found, is_new] = edges_.try_emplace(key);
         if (!is_new) return found->second;
-        const double from = phase(key[0]) / turn, to = from + grown(key[0], key[1]).growth / turn;
+        const double from = phase(key[0]) / full_turn,
+                     to = from + grown(key[0], key[1]).growth / full_turn;
         const auto first = static_cast<long>(std::floor(std::min(from, to))) + 1;
         const auto last = static_cast<long>(std::ceil(std::max(from, to))) - 1;
         for (long level = first; level <= last; ++level) {
@@ -69,7 +70,7 @@ class Levels {
             const int i = t[e], j = t[(e + 1) % 3];
             const double from = i < j ? f[e] : f[(e + 1) % 3], to = i < j ? f[(e + 1) % 3] : f[e];
             for (const Crossing& crossing : crossings(i, j))
-                at_level[std::lround((from + crossing.part * (to - from)) / turn)].push_back(
+                at_level[std::lround((from + crossing.part * (to - from)) / full_turn)].push_back(
                     crossing.point);
         }
         for (const auto& [level, points] : at_level)

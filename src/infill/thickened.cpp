@@ -8,7 +8,7 @@
 namespace bead {
 namespace {
 
-constexpr double sample = 0.25;  // mm
+constexpr double asked_every = 0.25;  // mm along a line, for the load there
 
 struct Run {
     std::size_t first = 0, last = 0;
@@ -32,11 +32,11 @@ std::vector<Run> runs_above(const std::vector<double>& load, double level, std::
 
 std::vector<Polyline> thickening(const Polyline& line, const std::function<double(Vec2)>& load,
                                  const ThickenOptions& options) {
-    const Polyline even = resampled(line, sample);
+    const Polyline even = resampled(line, asked_every);
     std::vector<double> carried;
     carried.reserve(even.size());
     for (const Vec2 p : even) carried.push_back(load(p));
-    const auto shortest = static_cast<std::size_t>(std::lround(options.shortest / sample));
+    const auto shortest = static_cast<std::size_t>(std::lround(options.shortest / asked_every));
     std::vector<Polyline> copies;
     for (int k = 1; k <= options.copies; ++k)
         for (const Run& run : runs_above(carried, k * options.threshold, shortest)) {
