@@ -12,11 +12,11 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-using Map = Eigen::Map<const MatrixXd>;
+using MatrixMap = Eigen::Map<const MatrixXd>;
 using Small = Eigen::SelfAdjointEigenSolver<MatrixXd>;
 
-constexpr double cancelled = 1e-4;    // of a square: what calls for a second orthogonalisation
-constexpr double negligible = 1e-10;  // of a vector, what is left of it orthogonal to the basis
+constexpr double cancelled = 1e-4;     // of a square: what calls for a second orthogonalisation
+constexpr double independent = 1e-10;  // of a vector, what must be orthogonal to the basis
 
 struct Block {
     MatrixXd x, bx;
@@ -32,7 +32,7 @@ class Basis {
     }
 
     [[nodiscard]] Index count() const { return count_; }
-    [[nodiscard]] Map last(Index columns) const {
+    [[nodiscard]] MatrixMap last(Index columns) const {
         return {v_.col(count_ - columns).data(), v_.rows(), columns};
     }
 
@@ -59,7 +59,7 @@ class Basis {
                 bx.noalias() -= bv_.middleCols(before, count_ - before) * h;
             }
             const double square = x.dot(bx);
-            if (!(square > negligible * negligible * whole) || !(square > 1e-280)) continue;
+            if (!(square > independent * independent * whole) || !(square > 1e-280)) continue;
             v_.col(count_) = x / std::sqrt(square);
             bv_.col(count_) = bx / std::sqrt(square);
             ++count_;
@@ -113,9 +113,10 @@ class Basis {
     Index count_ = 0;
 };
 
-Block applied(const BlockMap& map, const Map& x) {
+Block applied(const BlockMap& map, const MatrixMap& x) {
     const BlockImages images = map({x.data(), std::size_t(x.size())}, int(x.cols()));
-    return {Map(images.a.data(), x.rows(), x.cols()), Map(images.ba.data(), x.rows(), x.cols())};
+    return {MatrixMap(images.a.data(), x.rows(), x.cols()),
+            MatrixMap(images.ba.data(), x.rows(), x.cols())};
 }
 
 }  // namespace

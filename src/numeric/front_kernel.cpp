@@ -3,20 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/lanes.h"
 #include "numeric/wide_registers.h"
 
 namespace bead {
 namespace {
 
 using Index = std::ptrdiff_t;
-using Lanes [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
 
 constexpr Index block = 48;  // columns that are factored before the rest is updated
 constexpr Index tile_rows = 8, tile_columns = 4;
 
-[[gnu::always_inline]] inline const Lanes& load(const double* at) {
-    return *reinterpret_cast<const Lanes*>(at);
-}
 [[gnu::always_inline]] inline void subtract(double* at, const Lanes& values) {
     Lanes& kept = *reinterpret_cast<Lanes*>(at);
     kept = kept - values;

@@ -16,20 +16,20 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 // A pivot this small against what stood there first is rounding.
-constexpr double negligible = 1e-13;
-
-// The columns of L of a front's own unknowns, from its first row down.
-struct Panel {
-    MatrixXd columns;
-
-    [[nodiscard]] DensePanel dense() const {
-        return {columns.data(), columns.cols(), columns.rows() - columns.cols()};
-    }
-};
+constexpr double rounding = 1e-13;
 
 }  // namespace
 
 struct FrontalCholesky::Panels {
+    // The columns of L of a front's own unknowns, from its first row down.
+    struct Panel {
+        MatrixXd columns;
+
+        [[nodiscard]] DensePanel dense() const {
+            return {columns.data(), columns.cols(), columns.rows() - columns.cols()};
+        }
+    };
+
     EliminationTree tree;
     std::vector<Panel> panels;
     std::vector<std::uint8_t> held;
@@ -106,7 +106,7 @@ MatrixXd FrontalCholesky::Panels::eliminate(std::size_t place, MatrixXd& sum) {
     eliminate_first(sum.data(), sum.rows(), own);
     if (!singular)
         for (Index i = 0; i < own; ++i)
-            if (!(sum(i, i) * sum(i, i) > negligible * before(i))) {
+            if (!(sum(i, i) * sum(i, i) > rounding * before(i))) {
                 singular = std::size_t(front.own[std::size_t(i / per_point())]) *
                                std::size_t(per_point()) +
                            std::size_t(i % per_point());
@@ -232,7 +232,7 @@ std::optional<std::size_t> FrontalCholesky::singular() const { return panels_->s
 
 std::size_t FrontalCholesky::fill() const {
     std::size_t count = 0;
-    for (const Panel& panel : panels_->panels) count += std::size_t(panel.columns.size());
+    for (const Panels::Panel& panel : panels_->panels) count += std::size_t(panel.columns.size());
     return count;
 }
 

@@ -12,11 +12,11 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using Map = Eigen::Map<const VectorXd>;
+using VectorMap = Eigen::Map<const VectorXd>;
 
 VectorXd applied(const LinearMap& map, const VectorXd& x) {
     const std::vector<double> y = map(std::span(x.data(), std::size_t(x.size())));
-    return Map(y.data(), Index(y.size()));
+    return VectorMap(y.data(), Index(y.size()));
 }
 
 class Lanczos {
@@ -83,7 +83,7 @@ Modes Lanczos::modes_of(const Eigen::SelfAdjointEigenSolver<MatrixXd>& small, in
 
 Modes Lanczos::run() {
     double rest = 0;
-    const VectorXd start = Map(options_.start.data(), Index(options_.start.size()));
+    const VectorXd start = VectorMap(options_.start.data(), Index(options_.start.size()));
     // One application takes out what A cannot reach.
     if (!extend(applied(a_, start), rest)) return {.modes = {}, .converged = true, .steps = 0};
     Eigen::SelfAdjointEigenSolver<MatrixXd> small;

@@ -1,5 +1,6 @@
 #include "numeric/panel_kernels.h"
 
+#include "numeric/lanes.h"
 #include "numeric/wide_registers.h"
 
 namespace bead {
@@ -10,30 +11,29 @@ using Index = std::ptrdiff_t;
 constexpr Index width = panel_width;
 
 // Eight numbers in two halves, each of which fits a wide register.
-using Half [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
-struct Row {
-    Half low, high;
+struct PanelRow {
+    Lanes low, high;
 };
 
-[[gnu::always_inline]] inline Row row(const double* rows, Index i) {
-    const Half* const at = reinterpret_cast<const Half*>(rows + i * width);
+[[gnu::always_inline]] inline PanelRow row(const double* rows, Index i) {
+    const Lanes* const at = reinterpret_cast<const Lanes*>(rows + i * width);
     return {at[0], at[1]};
 }
-[[gnu::always_inline]] inline void put(double* rows, Index i, const Row& r) {
-    Half* const at = reinterpret_cast<Half*>(rows + i * width);
+[[gnu::always_inline]] inline void put(double* rows, Index i, const PanelRow& r) {
+    Lanes* const at = reinterpret_cast<Lanes*>(rows + i * width);
     at[0] = r.low;
     at[1] = r.high;
 }
-[[gnu::always_inline]] inline Row operator*(double a, const Row& r) {
+[[gnu::always_inline]] inline PanelRow operator*(double a, const PanelRow& r) {
     return {a * r.low, a * r.high};
 }
-[[gnu::always_inline]] inline Row operator/(const Row& r, double a) {
+[[gnu::always_inline]] inline PanelRow operator/(const PanelRow& r, double a) {
     return {r.low / a, r.high / a};
 }
-[[gnu::always_inline]] inline Row operator-(const Row& a, const Row& b) {
+[[gnu::always_inline]] inline PanelRow operator-(const PanelRow& a, const PanelRow& b) {
     return {a.low - b.low, a.high - b.high};
 }
-[[gnu::always_inline]] inline void operator-=(Row& a, const Row& b) { a = a - b; }
+[[gnu::always_inline]] inline void operator-=(PanelRow& a, const PanelRow& b) { a = a - b; }
 
 // Four partial sums side by side.
 [[gnu::always_inline]] inline double dot_product(const double* a, const double* b, Index count) {
@@ -54,10 +54,11 @@ void solve_forward(const DensePanel& panel, double* own, double* border) {
     for (; j + 4 <= n; j += 4) {
         const double* const a = panel.values + j * size;
         const double *const b = a + size, *const c = b + size, *const d = c + size;
-        const Row x = row(own, j) / a[j];
-        const Row y = (row(own, j + 1) - a[j + 1] * x) / b[j + 1];
-        const Row z = (row(own, j + 2) - a[j + 2] * x - b[j + 2] * y) / c[j + 2];
-        const Row w = (row(own, j + 3) - a[j + 3] * x - b[j + 3] * y - c[j + 3] * z) / d[j + 3];
+        const PanelRow x = row(own, j) / a[j];
+        const PanelRow y = (row(own, j + 1) - a[j + 1] * x) / b[j + 1];
+        const PanelRow z = (row(own, j + 2) - a[j + 2] * x - b[j + 2] * y) / c[j + 2];
+        const PanelRow w =
+            (row(own, j + 3) - a[j + 3] * x - b[j + 3] * y - c[j + 3] * z) / d[j + 3];
         put(own, j, x);
         put(own, j + 1, y);
         put(own, j + 2, z);
@@ -70,7 +71,7 @@ void solve_forward(const DensePanel& panel, double* own, double* border) {
     }
     for (; j < n; ++j) {
         const double* const a = panel.values + j * size;
-        const Row x = row(own, j) / a[j];
+        const PanelRow x = row(own, j) / a[j];
         put(own, j, x);
         for (Index i = j + 1; i < n; ++i) put(own, i, row(own, i) - a[i] * x);
         const double* const p = a + n;
@@ -85,7 +86,7 @@ void solve_backward(const DensePanel& panel, double* own, const double* border) 
     for (; j % 4 != 0; --j) {
         const double* const a = panel.values + (j - 1) * size;
         const double* const p = a + n;
-        Row x = row(own, j - 1);
+        PanelRow x = row(own, j - 1);
         for (Index i = 0; i < m; ++i) x -= p[i] * row(border, i);
         for (Index i = j; i < n; ++i) x -= a[i] * row(own, i);
         put(own, j - 1, x / a[j - 1]);
@@ -95,16 +96,16 @@ void solve_backward(const DensePanel& panel, double* own, const double* border) 
         const double* const a = panel.values + f * size;
         const double *const b = a + size, *const c = b + size, *const d = c + size;
         const double *const p = a + n, *const q = b + n, *const r = c + n, *const s = d + n;
-        Row x = row(own, f), y = row(own, f + 1), z = row(own, f + 2), w = row(own, f + 3);
+        PanelRow x = row(own, f), y = row(own, f + 1), z = row(own, f + 2), w = row(own, f + 3);
         for (Index i = 0; i < m; ++i) {
-            const Row e = row(border, i);
+            const PanelRow e = row(border, i);
             x -= p[i] * e;
             y -= q[i] * e;
             z -= r[i] * e;
             w -= s[i] * e;
         }
         for (Index i = j; i < n; ++i) {
-            const Row e = row(own, i);
+            const PanelRow e = row(own, i);
             x -= a[i] * e;
             y -= b[i] * e;
             z -= c[i] * e;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "numeric/lanes.h"
 #include "numeric/wide_registers.h"
 
 namespace bead {
@@ -12,11 +13,6 @@ using Index = std::ptrdiff_t;
 constexpr Index lanes = 4;
 constexpr Index rows_at_a_time = 512;
 
-using Lanes [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
-
-[[gnu::always_inline]] inline const Lanes& load(const double* at) {
-    return *reinterpret_cast<const Lanes*>(at);
-}
 [[gnu::always_inline]] inline void store(double* at, const Lanes& values) {
     *reinterpret_cast<Lanes*>(at) = values;
 }
