@@ -7,6 +7,8 @@
 
 namespace bead {
 
+inline constexpr double most_cells = 4e6;  // of a raster: cells grow rather than become more
+
 struct CellEntry {
     std::uint32_t cell, number;
 };

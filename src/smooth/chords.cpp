@@ -17,11 +17,11 @@ double turn_at(const Polyline& p, std::size_t i) {
     return t * (1 - t * t / 3);
 }
 
-struct Limits {
+struct ChordLimits {
     double tolerance, turn;  // mm, rad
 };
 
-Limits limits_for(const Flow& flow, const ChordOptions& options) {
+ChordLimits limits_for(const Flow& flow, const ChordOptions& options) {
     if (flow.role == Role::travel) return {options.travel, options.travel_turn};
     const double turn = !options.fine_links && flow.ramp > 0 ? options.travel_turn : options.turn;
     return {flow.role == Role::infill ? options.infill : options.wall, turn};
@@ -101,7 +101,7 @@ class ChordFrom {
     const ChordOptions& options_;
     std::size_t first_;
     const Flow& flow_;
-    Limits limits_;
+    ChordLimits limits_;
     double quieter_;  // 1 / loudness
     Vec2 start_;
 };

@@ -3,11 +3,10 @@
 #include <algorithm>
 
 #include "geom/deviation.h"
+#include "smooth/same_place.h"
 
 namespace bead {
 namespace {
-
-constexpr double same_place = 1e-6;  // mm
 
 bool meets(const Path& path, const Path& next) {
     return path.role == next.role && length(path.points.back() - next.points.front()) <= same_place;
@@ -98,6 +97,8 @@ Lane cleaned(Lane lane, double shortest, double straight) {
     lane.flows = std::move(flows);
     return lane;
 }
+
+double width_of(const Lane& lane) { return width_of(lane.flows.front().section, lane.height); }
 
 double width_of(double section, double height) {
     const double half_discs = pi / 4 * height * height;

@@ -39,5 +39,7 @@ Lane cleaned(Lane lane, double shortest = 0.02, double straight = 0.005);
 
 // The width of a bead of this height and cross-section.
 double width_of(double section, double height);
+// Of the bead that the lane begins with.
+double width_of(const Lane& lane);
 
 }  // namespace bead

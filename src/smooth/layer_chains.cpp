@@ -16,10 +16,6 @@ bool is_wall(Role role) { return role == Role::outer_wall || role == Role::wall;
 // Loops of these are begun anywhere and joined; other roles' strokes stay as they lie.
 bool is_infill(Role role) { return role == Role::infill; }
 
-double width_of(const Lane& lane) {
-    return bead::width_of(lane.flows.front().section, lane.height);
-}
-
 class Builder {
   public:
     Builder(const std::vector<Lane>& lanes, const SmoothOptions& options)

@@ -1,9 +1,9 @@
 #include "smooth/layer_line.h"
 
+#include "smooth/same_place.h"
+
 namespace bead {
 namespace {
-
-constexpr double same_place = 1e-6;  // mm
 
 void append(LayerLine& line, Vec2 point, Role role) {
     if (!line.points.empty()) {

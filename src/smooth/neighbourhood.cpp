@@ -9,7 +9,6 @@ namespace bead {
 namespace {
 
 constexpr int cells_per_reach = 2;
-constexpr double most_cells = 4e6;
 
 }  // namespace
 

@@ -16,10 +16,6 @@ bool is_wall(const Lane& lane) {
     return lane.closed && lane.level && (lane.role == Role::outer_wall || lane.role == Role::wall);
 }
 
-double width_of(const Lane& lane) {
-    return bead::width_of(lane.flows.front().section, lane.height);
-}
-
 // Some slicers lay what overhangs of a wall higher; between beads of two heights nothing is linked.
 bool may_follow(const Lane& lane, const Lane& next) {
     const auto is_as_high = [&](const Flow& flow) { return flow.height == lane.height; };

@@ -6,7 +6,7 @@
 namespace bead {
 namespace {
 
-constexpr double same_place = 1e-7;  // mm
+constexpr double least_apart = 1e-7;  // mm; nearer points of a ribbon are one
 constexpr int marks = 48;
 
 double once_round(const Ring& ring, double place) {
@@ -107,7 +107,7 @@ double nearest_place(const Ring& ring, Vec2 point) {
     const double near = static_cast<double>(mark) * step;
     const std::size_t n = ring.points.size(), first = segment_at(ring, near - step);
     const std::size_t count = (segment_at(ring, near + step) + n - first) % n + 1;
-    double place = near, best = distance(ring.marks[mark], point) + same_place;
+    double place = near, best = distance(ring.marks[mark], point) + least_apart;
     for (std::size_t i = 0; i < count;) {
         const std::size_t segment = first + i < n ? first + i : first + i - n;
         const Vec2 a = ring.points[segment], to = point - a;
@@ -127,7 +127,7 @@ double nearest_place(const Ring& ring, Vec2 point) {
 
 void append_point(Ribbon& ribbon, Vec2 point, const Flow& flow) {
     if (!ribbon.points.empty()) {
-        if (distance(ribbon.points.back(), point) <= same_place) return;
+        if (distance(ribbon.points.back(), point) <= least_apart) return;
         ribbon.flows.push_back(flow);
     }
     ribbon.points.push_back(point);

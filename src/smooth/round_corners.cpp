@@ -18,20 +18,20 @@ bool is_corner(const Polyline& p, std::size_t i) {
     return std::abs(cross(in, out)) > std::tan(least_turn) * dot(in, out);
 }
 
-struct Measured {
+struct RibbonPlaces {
     const Ribbon& ribbon;
     std::vector<double> at;  // mm, of every point
 };
 
-Measured measured(const Ribbon& ribbon) {
-    Measured result{ribbon, {0}};
+RibbonPlaces places_of(const Ribbon& ribbon) {
+    RibbonPlaces result{ribbon, {0}};
     for (std::size_t i = 1; i < ribbon.points.size(); ++i)
         result.at.push_back(result.at.back() + distance(ribbon.points[i - 1], ribbon.points[i]));
     return result;
 }
 
 // The last point at or before a place, but not the ribbon's last.
-std::size_t index_at(const Measured& line, double place) {
+std::size_t index_at(const RibbonPlaces& line, double place) {
     const auto after = std::ranges::upper_bound(line.at, place);
     const auto i = static_cast<std::size_t>(after - line.at.begin());
     return std::min(std::max<std::size_t>(i, 1) - 1, line.at.size() - 2);
@@ -41,7 +41,7 @@ struct Spot {
     Vec2 point, along;
 };
 
-Spot spot(const Measured& line, double place, bool before) {
+Spot spot(const RibbonPlaces& line, double place, bool before) {
     std::size_t i = index_at(line, place);
     if (before && i > 0 && line.at[i] >= place - 1e-9) --i;
     const Vec2 a = line.ribbon.points[i], b = line.ribbon.points[i + 1];
@@ -49,7 +49,7 @@ Spot spot(const Measured& line, double place, bool before) {
     return {lerp(a, b, std::clamp((place - line.at[i]) / part, 0.0, 1.0)), (b - a) / part};
 }
 
-struct Corner {
+struct CornerRoom {
     std::size_t index = 0;
     double room = 0;       // mm of leg at most
     double tolerance = 0;  // mm
@@ -62,7 +62,7 @@ double tolerance_of(const Flow& flow, const CornerTolerances& tolerances) {
 }
 
 // How far the flow is alike on both sides of a corner, mm along.
-double uniform_reach(const Measured& line, std::size_t corner, double most) {
+double uniform_reach(const RibbonPlaces& line, std::size_t corner, double most) {
     const std::vector<Flow>& flows = line.ribbon.flows;
     const Flow& flow = flows[corner - 1];
     if (!alike(flow, flows[corner]) || flow.ramp > 0) return 0;
@@ -74,15 +74,15 @@ double uniform_reach(const Measured& line, std::size_t corner, double most) {
     return std::min(line.at[corner] - line.at[first], line.at[last + 1] - line.at[corner]);
 }
 
-std::vector<Corner> corners_of(const Measured& line, const CornerTolerances& tolerances) {
+std::vector<CornerRoom> corners_of(const RibbonPlaces& line, const CornerTolerances& tolerances) {
     const Polyline& p = line.ribbon.points;
-    std::vector<Corner> corners;
+    std::vector<CornerRoom> corners;
     for (std::size_t i = 1; i + 1 < p.size(); ++i)
         if (is_corner(p, i)) corners.push_back({i, 0, 0});
     const double even =
         0.03 * line.at.back() / std::max<double>(1, static_cast<double>(corners.size()));
     for (std::size_t k = 0; k < corners.size(); ++k) {
-        Corner& corner = corners[k];
+        CornerRoom& corner = corners[k];
         const double here = line.at[corner.index];
         corner.room = longest_leg;
         if (k > 0)
@@ -96,7 +96,7 @@ std::vector<Corner> corners_of(const Measured& line, const CornerTolerances& tol
     return corners;
 }
 
-Polyline blend_points(const Measured& line, double here, double leg, double k) {
+Polyline blend_points(const RibbonPlaces& line, double here, double leg, double k) {
     const Spot a = spot(line, here - leg, true), b = spot(line, here + leg, false);
     CornerBlend blend;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -110,7 +110,8 @@ Polyline blend_points(const Measured& line, double here, double leg, double k) {
     return points;
 }
 
-double strays(const Measured& line, const Corner& corner, double leg, const Polyline& blend) {
+double strays(const RibbonPlaces& line, const CornerRoom& corner, double leg,
+              const Polyline& blend) {
     const double here = line.at[corner.index];
     Polyline cut{spot(line, here - leg, true).point};
     for (std::size_t i = index_at(line, here - leg) + 1; line.at[i] < here + leg; ++i)
@@ -129,7 +130,7 @@ struct Cut {
 };
 
 // The longest legs that keep the tolerance: right at once on straight ones, shortened on curves.
-std::optional<Cut> cut_of(const Measured& line, const Corner& corner, double sharpest) {
+std::optional<Cut> cut_of(const RibbonPlaces& line, const CornerRoom& corner, double sharpest) {
     if (corner.tolerance <= 0 || corner.room < least_leg) return std::nullopt;
     const Polyline& p = line.ribbon.points;
     const Vec2 v = p[corner.index];
@@ -151,7 +152,7 @@ std::optional<Cut> cut_of(const Measured& line, const Corner& corner, double sha
 }  // namespace
 
 RoundedRibbon rounded(const Ribbon& ribbon, const CornerTolerances& tolerances) {
-    const Measured line = measured(ribbon);
+    const RibbonPlaces line = places_of(ribbon);
     RoundedRibbon result;
     std::size_t next = 0;
     const auto copy_until = [&](double place) {
@@ -159,7 +160,7 @@ RoundedRibbon rounded(const Ribbon& ribbon, const CornerTolerances& tolerances) 
             append_point(result.ribbon, ribbon.points[next],
                          ribbon.flows[std::max<std::size_t>(next, 1) - 1]);
     };
-    for (const Corner& corner : corners_of(line, tolerances)) {
+    for (const CornerRoom& corner : corners_of(line, tolerances)) {
         const auto cut = cut_of(line, corner, tolerances.sharpest);
         if (!cut) continue;
         copy_until(cut->from);

@@ -8,8 +8,6 @@
 namespace bead {
 namespace {
 
-constexpr double most_cells = 4e6;
-
 std::int64_t index_of(double along, double cell) {
     return static_cast<std::int64_t>(std::floor(along / cell));
 }

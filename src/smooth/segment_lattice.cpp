@@ -9,7 +9,6 @@ namespace bead {
 namespace {
 
 constexpr double nowhere = std::numeric_limits<double>::infinity();
-constexpr double most_cells = 4e6;
 
 }  // namespace
 

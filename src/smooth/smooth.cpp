@@ -7,13 +7,13 @@
 #include "smooth/layer_chains.h"
 #include "smooth/order.h"
 #include "smooth/round_corners.h"
+#include "smooth/same_place.h"
 #include "smooth/thinning.h"
 #include "smooth/travel_kind.h"
 
 namespace bead {
 namespace {
 
-constexpr double same_place = 1e-6;    // mm
 constexpr double chords_leave = 0.75;  // of a wall's tolerance, for the blend that they cut
 constexpr double least_speed = 9;      // mm/s; a corner that would be passed more slowly stays
 

@@ -4,11 +4,10 @@
 #include <utility>
 
 #include "core/expects.h"
+#include "smooth/same_place.h"
 
 namespace bead {
 namespace {
-
-constexpr double same_place = 1e-6;  // mm
 
 bool same(Vec3 a, Vec3 b) { return length(a - b) <= same_place; }
 

@@ -12,9 +12,9 @@
 namespace bead {
 namespace {
 
-constexpr double farthest = 10;  // mm; places farther from any bead are nobody's business
-constexpr double same = 1.01;    // a void that grows by no more counts as the same
-constexpr float nowhere = std::numeric_limits<float>::infinity();
+constexpr double widest_void = 10;  // mm; places farther from any bead are nobody's business
+constexpr double same_void = 1.01;  // a void that grows by no more counts as the same
+constexpr float unreached = std::numeric_limits<float>::infinity();
 
 Polyline flattened(const Path& path) {
     Polyline line;
@@ -52,7 +52,7 @@ std::vector<std::size_t> infill_loops(const Strokes& strokes) {
 // Of every place, the distance to the nearest stroke but these.
 std::vector<float> nearest_of(const Lattice& lattice, const Strokes& strokes,
                               std::span<const std::size_t> without, double reach) {
-    std::vector<float> nearest(lattice.size(), nowhere);
+    std::vector<float> nearest(lattice.size(), unreached);
     for (std::size_t i = 0; i < strokes.strokes.size(); ++i)
         if (!std::ranges::binary_search(without, i))
             lattice.bring_near(nearest, flattened(strokes.strokes[i].path), reach);
@@ -63,20 +63,21 @@ double void_radius_of(const Strokes& strokes, double pitch, double reach) {
     const Lattice lattice(inside_outer_walls(strokes), pitch);
     float radius = 0;
     for (const float away : nearest_of(lattice, strokes, {}, reach))
-        if (away < nowhere) radius = std::max(radius, away);
+        if (away < unreached) radius = std::max(radius, away);
     return radius;
 }
 
 // Never less than the true void, and little more: distances change no faster than places.
 double void_bound(const Strokes& strokes) {
     constexpr double coarse = 1;  // mm
-    return std::min(farthest, void_radius_of(strokes, coarse, farthest) + coarse);
+    return std::min(widest_void, void_radius_of(strokes, coarse, widest_void) + coarse);
 }
 
 // How the places of a layer lie to those of its loops that are kept.
-class Coverage {
+class LoopCoverage {
   public:
-    Coverage(const Strokes& strokes, std::span<const std::size_t> loops, double pitch, double reach)
+    LoopCoverage(const Strokes& strokes, std::span<const std::size_t> loops, double pitch,
+                 double reach)
         : lattice_(inside_outer_walls(strokes), pitch),
           fixed_(nearest_of(lattice_, strokes, loops, reach)),
           kept_(loops.size(), true) {
@@ -90,7 +91,7 @@ class Coverage {
     [[nodiscard]] double void_radius() const {
         float radius = 0;
         for (const Two& two : two_)
-            if (two.nearest < nowhere) radius = std::max(radius, two.nearest);
+            if (two.nearest < unreached) radius = std::max(radius, two.nearest);
         return radius;
     }
 
@@ -115,7 +116,7 @@ class Coverage {
 
   private:
     struct Two {
-        float nearest = nowhere, next = nowhere;
+        float nearest = unreached, next = unreached;
         int loop = -1;  // that is nearest; -1: something that stays anyway
     };
     struct Entry {
@@ -136,7 +137,7 @@ class Coverage {
     }
 
     void look_again(std::uint32_t place) {
-        Two two{fixed_[place], nowhere, -1};
+        Two two{fixed_[place], unreached, -1};
         for (std::size_t i = begin_[place]; i < begin_[place + 1]; ++i) {
             const Entry& entry = entries_[i];
             if (!kept_[entry.loop]) continue;
@@ -166,7 +167,7 @@ double section_of(const std::vector<Path>& paths, const std::vector<bool>& kept)
     return all / left;
 }
 
-struct Limits {
+struct ThinningLimits {
     double reach = 0;         // mm
     double most_section = 0;  // mm²
 };
@@ -174,8 +175,8 @@ struct Limits {
 // What goes next: the loop whose places are least worse off per mm, or simply the longest.
 enum class Rule { least_loss, longest };
 
-std::optional<std::size_t> next_to_go(const Coverage& coverage, const std::vector<Path>& paths,
-                                      const std::vector<bool>& kept, const Limits& limits,
+std::optional<std::size_t> next_to_go(const LoopCoverage& coverage, const std::vector<Path>& paths,
+                                      const std::vector<bool>& kept, const ThinningLimits& limits,
                                       Rule rule) {
     std::optional<std::size_t> best;
     double least = 0;
@@ -195,8 +196,8 @@ std::optional<std::size_t> next_to_go(const Coverage& coverage, const std::vecto
     return best;
 }
 
-std::vector<bool> kept_by(Rule rule, Coverage coverage, const std::vector<Path>& paths,
-                          const Limits& limits) {
+std::vector<bool> kept_by(Rule rule, LoopCoverage coverage, const std::vector<Path>& paths,
+                          const ThinningLimits& limits) {
     std::vector<bool> kept(paths.size(), true);
     while (const auto loop = next_to_go(coverage, paths, kept, limits, rule)) {
         coverage.leave_out(*loop);
@@ -222,10 +223,10 @@ Toolpath thinned(const Toolpath& layer, const ThinningOptions& options) {
     const Bead bead = paths.front().bead;
     if (bead.height <= 0 || bead.width <= 0) return joined(std::move(strokes));
 
-    const Coverage coverage(strokes, loops, options.pitch,
-                            std::max(options.void_radius, void_bound(strokes)));
-    const Limits limits{
-        options.void_radius > 0 ? options.void_radius : same * coverage.void_radius(),
+    const LoopCoverage coverage(strokes, loops, options.pitch,
+                                std::max(options.void_radius, void_bound(strokes)));
+    const ThinningLimits limits{
+        options.void_radius > 0 ? options.void_radius : same_void * coverage.void_radius(),
         options.widest * options.nozzle * bead.height + 1e-9};
     std::vector<bool> kept = kept_by(Rule::least_loss, coverage, paths, limits);
     const std::vector<bool> other = kept_by(Rule::longest, coverage, paths, limits);
