@@ -8,7 +8,6 @@ namespace bead {
 namespace {
 
 constexpr int directions = 12;
-constexpr double sample = 0.25;  // mm
 
 CrossedLine crossed(const PixelModel& model, const Polyline& line) {
     CrossedLine result;
@@ -17,7 +16,7 @@ CrossedLine crossed(const PixelModel& model, const Polyline& line) {
         if (!run.empty()) result.crossings.push_back(run[run.size() / 2]);
         run.clear();
     };
-    for (const Vec2 p : resampled(line, sample)) {
+    for (const Vec2 p : resampled(line, line_step)) {
         const std::optional<std::size_t> pixel = pixel_at(model.grid, p);
         if (pixel && model.factor[*pixel] > 0)
             run.push_back({p, *pixel});
@@ -39,7 +38,7 @@ std::vector<CrossedLine> crossed_lines(const PixelModel& model, const LoadCase& 
                                                         .angle = pi * i / directions,
                                                         .link = 0,
                                                         .centre = bounds(inside).centre()}))
-            if (length(line) > 2 * sample) lines.push_back(crossed(model, line));
+            if (length(line) > 2 * line_step) lines.push_back(crossed(model, line));
     return lines;
 }
 

@@ -21,7 +21,7 @@ constexpr double apart = 1.2;        // mm, between the middles of two braces
 constexpr double enough = 0.9;       // of the budget
 constexpr double worth = 1e-6;       // of the measure, that a brace must gain
 
-struct Candidate {
+struct Brace {
     Vec2 from, to;
     double size = 0;                // mm
     std::vector<Matrix> stiffness;  // per variant, in the space of its modes
@@ -77,7 +77,7 @@ class Candidates {
             append(line);
         keep_best();
     }
-    std::vector<Candidate> found;
+    std::vector<Brace> found;
 
   private:
     void append(const CrossedLine& line) {
@@ -85,7 +85,7 @@ class Candidates {
         std::vector<std::vector<Matrix>> cells;
         for (std::size_t i = 1; i < at.size(); ++i) cells.push_back(cell(at[i - 1], at[i]));
         for (std::size_t a = 0; a + 1 < at.size(); ++a) {
-            Candidate candidate{at[a].at, {}, 0, zeros(), 0};
+            Brace candidate{at[a].at, {}, 0, zeros(), 0};
             const std::size_t last =
                 std::min(at.size() - 1, a + static_cast<std::size_t>(options_.cells));
             for (std::size_t b = a + 1; b <= last; ++b) {
@@ -128,7 +128,7 @@ class Candidates {
         return all;
     }
 
-    double promise_of(const Candidate& candidate) const {
+    double promise_of(const Brace& candidate) const {
         double sum = 0;
         for (std::size_t v = 0; v < spaces_.size(); ++v)
             sum += (candidate.stiffness[v].diagonal().array() *
@@ -138,7 +138,7 @@ class Candidates {
     }
 
     void keep_best() {
-        std::ranges::stable_sort(found, std::greater{}, &Candidate::promise);
+        std::ranges::stable_sort(found, std::greater{}, &Brace::promise);
         if (found.size() > kept) found.resize(kept);
     }
 
@@ -148,7 +148,7 @@ class Candidates {
     double bar_ = 0;  // N, stiffness times length
 };
 
-double measure(const std::vector<ModeSpace>& spaces, const Candidate* with) {
+double measure(const std::vector<ModeSpace>& spaces, const Brace* with) {
     double sum = 0;
     for (std::size_t v = 0; v < spaces.size(); ++v)
         sum += spaces[v].eighth_powers(with == nullptr ? spaces[v].added
@@ -157,7 +157,7 @@ double measure(const std::vector<ModeSpace>& spaces, const Candidate* with) {
 }
 
 // The place of the candidate that gains most per length; nothing if none is worth it.
-std::optional<std::size_t> best_of(const std::vector<Candidate>& candidates,
+std::optional<std::size_t> best_of(const std::vector<Brace>& candidates,
                                    const std::vector<ModeSpace>& spaces, double longest) {
     const double now = measure(spaces, nullptr);
     double best_gain = worth * now;
@@ -178,7 +178,7 @@ std::optional<std::size_t> best_of(const std::vector<Candidate>& candidates,
 Layout braces(const TestRig& rig, const LoadCase& load_case, const std::vector<VariantModes>& modes,
               const BraceOptions& options) {
     std::vector<ModeSpace> spaces = spaces_of(modes);
-    std::vector<Candidate> candidates = Candidates(rig, load_case, spaces, options).found;
+    std::vector<Brace> candidates = Candidates(rig, load_case, spaces, options).found;
     const double whole = options.area / load_case.print.bead_width;
     Layout chosen;
     double used = 0;
@@ -186,11 +186,11 @@ Layout braces(const TestRig& rig, const LoadCase& load_case, const std::vector<V
         const std::optional<std::size_t> best =
             best_of(candidates, spaces, whole - used + options.over);
         if (!best) break;
-        const Candidate brace = candidates[*best];
+        const Brace brace = candidates[*best];
         for (std::size_t v = 0; v < spaces.size(); ++v) spaces[v].added += brace.stiffness[v];
         used += brace.size;
         chosen.push_back({LineKind::brace, {brace.from, brace.to}});
-        std::erase_if(candidates, [&](const Candidate& other) {
+        std::erase_if(candidates, [&](const Brace& other) {
             return distance(0.5 * (other.from + other.to), 0.5 * (brace.from + brace.to)) < apart;
         });
     }

@@ -14,7 +14,6 @@ namespace {
 
 constexpr double longer = 1;        // mm, by which a pad reaches beyond its stretch
 constexpr double shortest_pad = 1;  // mm
-constexpr double sample = 0.25;     // mm
 
 double inset(double bead_width, int number) {
     return bead_width / 2 + number * (bead_width - bead_overlap);
@@ -32,7 +31,7 @@ std::vector<Polyline> loops_of(const Region& region) {
 
 // The stretches of a closed line whose points lie within reach of a patch.
 void append_near(Layout& pads, const Polyline& loop, const LineIndex& patches, double reach) {
-    Polyline even = resampled(loop, sample);
+    Polyline even = resampled(loop, line_step);
     even.pop_back();
     const std::size_t n = even.size();
     std::vector<char> near(n);

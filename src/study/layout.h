@@ -28,6 +28,7 @@ struct LayoutLine {
 };
 
 inline constexpr double solid_pitch = 0.95;  // bead widths between beads that shall close up
+inline constexpr double line_step = 0.25;    // mm between places where a line is looked at
 
 using Layout = std::vector<LayoutLine>;
 

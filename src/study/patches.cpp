@@ -11,8 +11,7 @@
 namespace bead {
 namespace {
 
-constexpr double sample = 0.25;  // mm
-constexpr double around = 1;     // mm along a line over which the index is looked at
+constexpr double around = 1;  // mm along a line over which the index is looked at
 constexpr double shortest_way = 2, longest_way = 15;  // mm, either way from the hot spot
 constexpr double beyond = 1;                          // mm more than is warm
 constexpr int most_copies = 20;
@@ -34,7 +33,7 @@ class Patcher {
           inside_(offset(load_case.part, -load_case.print.bead_width / 2 + 1e-4)),
           width_(load_case.print.bead_width),
           aside_(solid_pitch * width_) {
-        for (const LayoutLine& line : layout) lines_.push_back(resampled(line.points, sample));
+        for (const LayoutLine& line : layout) lines_.push_back(resampled(line.points, line_step));
     }
 
     std::optional<Layout> patches() const {
@@ -139,7 +138,7 @@ class Patcher {
         for (Polyline& part : inside_parts({copy}, inside_))
             if (length(part) > length(longest)) longest = std::move(part);
         if (length(longest) < shortest_patch) return std::nullopt;
-        return smoothed(resampled(longest, sample), 2);
+        return smoothed(resampled(longest, line_step), 2);
     }
 
     const PixelModel& model_;

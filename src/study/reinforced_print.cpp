@@ -11,8 +11,8 @@
 namespace bead {
 namespace {
 
-constexpr double detail = 0.02;    // mm, by which a drawn line may differ from the laid one
-constexpr double shortest = 0.05;  // mm
+constexpr double detail = 0.02;         // mm, by which a drawn line may differ from the laid one
+constexpr double shortest_laid = 0.05;  // mm
 
 Role role_of(LineKind kind) {
     if (kind == LineKind::wall) return Role::outer_wall;
@@ -33,7 +33,7 @@ std::vector<Polyline> lines_of(const Layout& layout, LineKind kind, Vec2 shift) 
         if (line.kind != kind) continue;
         Polyline simple = simplified(line.points, detail);
         for (Vec2& p : simple) p = p + shift;
-        if (length(simple) >= shortest) lines.push_back(std::move(simple));
+        if (length(simple) >= shortest_laid) lines.push_back(std::move(simple));
     }
     return lines;
 }

@@ -11,17 +11,17 @@
 namespace bead {
 namespace {
 
-constexpr double into_wall = 0.1;    // mm, by which a line's end reaches beyond bead to bead
-constexpr double shortest = 0.3;     // mm
-constexpr double tolerance = 0.005;  // of the area
-constexpr int halvings = 40, tries = 9;
+constexpr double into_wall = 0.1;         // mm, by which a line's end reaches beyond bead to bead
+constexpr double shortest_filling = 0.3;  // mm
+constexpr double tolerance = 0.005;       // of the area
+constexpr int spacing_halvings = 40, tries = 9;
 
 struct Family {
     double angle = 0;
     double shift = 0;  // of a spacing, across the lines
 };
 
-std::vector<Family> families(SlicerPattern pattern) {
+std::vector<Family> families_of(SlicerPattern pattern) {
     switch (pattern) {
         case SlicerPattern::diagonal_grid:
             return {{pi / 4, 0}, {-pi / 4, 0}};
@@ -41,13 +41,13 @@ std::vector<Polyline> lines_of(const Region& inside, const SlicerSetting& settin
     const double part = static_cast<double>(setting.phase) / setting.phases + nudge;
     const Vec2 from = middle + part * spacing * Vec2{0.6, 1.0};
     std::vector<Polyline> lines;
-    for (const Family& family : families(setting.pattern))
+    for (const Family& family : families_of(setting.pattern))
         for (Polyline& line : rectilinear(
                  inside, {.spacing = spacing,
                          .angle = family.angle,
                          .link = 0,
                          .centre = from + family.shift * spacing * left_of(unit(family.angle))}))
-            if (length(line) > shortest) lines.push_back(std::move(line));
+            if (length(line) > shortest_filling) lines.push_back(std::move(line));
     return lines;
 }
 
@@ -89,7 +89,7 @@ std::optional<Layout> slicer_layout(const LoadCase& load_case, const SlicerSetti
     for (int attempt = 0; attempt < tries; ++attempt) {
         double low = width / 2, high = 60;
         const double nudge = 0.017 * attempt;
-        for (int i = 0; i < halvings; ++i) {
+        for (int i = 0; i < spacing_halvings; ++i) {
             const double spacing = std::sqrt(low * high);
             const std::vector<Polyline> lines = lines_of(inside, setting, middle, spacing, nudge);
             const double laid = line_area(lines, width);

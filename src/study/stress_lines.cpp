@@ -66,13 +66,13 @@ Layout laid(const LoadCase& load_case, const Layout& fixed, const Densities& den
     return layout;
 }
 
-struct Trial {
+struct ScaleTrial {
     double scale = 0, area = 0;
 };
 
 // On a logarithmic scale between the two nearest trials, or else by the usual steepness.
-double next_scale(const std::optional<Trial>& heavy, const std::optional<Trial>& light,
-                  const Trial& last, double area) {
+double next_scale(const std::optional<ScaleTrial>& heavy, const std::optional<ScaleTrial>& light,
+                  const ScaleTrial& last, double area) {
     if (!heavy || !light)
         return last.scale * std::pow(last.area / area, steepness) *
                (last.area > area ? 1.01 : 0.99);
@@ -86,12 +86,12 @@ double next_scale(const std::optional<Trial>& heavy, const std::optional<Trial>&
 Layout stress_lines(const LoadCase& load_case, const Layout& fixed, const Densities& densities,
                     const StressLineOptions& options) {
     const double width = load_case.print.bead_width;
-    std::optional<Trial> heavy, light;
+    std::optional<ScaleTrial> heavy, light;
     Layout best;
     double least_off = 0, scale = first_spacing;
     for (int trial = 0; trial < options.trials; ++trial) {
         Layout layout = laid(load_case, fixed, densities, scale, options);
-        const Trial last{scale, deposited_area(layout, width)};
+        const ScaleTrial last{scale, deposited_area(layout, width)};
         const double off = std::abs(last.area - options.area);
         if (best.empty() || off < least_off) {
             best = std::move(layout);

@@ -19,7 +19,7 @@ constexpr double single_share = 0.5;            // of the lines' area that is no
 constexpr double closest = 0.5, farthest = 40;  // mm between seeds
 constexpr double widest = 12;                   // mm between lines placed by stress
 constexpr double just_inside = 0.01;            // mm, of seeds from the edge that lines end on
-constexpr double shortest = 3;                  // mm
+constexpr double shortest_traced = 3;           // mm
 constexpr double across = 0.7071;               // cosine of the angle to an edge's normal
 constexpr int halvings = 30;
 constexpr double near_enough = 0.002;  // of the area
@@ -97,7 +97,7 @@ class ThesisLayer {
             const Vec2 way = direction(stress_(seed.place), families[f]);
             if (std::abs(cross(way, seed.along)) < across) continue;
             const std::optional<TracedLine> line = tracer.line(seed.place, families[f]);
-            if (line && length(line->points) >= shortest) lines.push_back(line->points);
+            if (line && length(line->points) >= shortest_traced) lines.push_back(line->points);
         }
         return lines;
     }
