@@ -6,6 +6,7 @@
 
 #include "core/expects.h"
 #include "numeric/frontal_cholesky.h"
+#include "numeric/product.h"
 
 namespace bead {
 namespace {
@@ -244,12 +245,6 @@ void Cycle::descend(std::size_t l) {
     multiply(level.grid, level.x.data(), level.kd.data());
     for (std::size_t i = 0; i < level.r.size(); ++i) level.r[i] -= level.kd[i];
     smooth(level, false);
-}
-
-double product(const std::vector<double>& a, const std::vector<double>& b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-    return sum;
 }
 
 class Gradients {

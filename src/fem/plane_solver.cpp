@@ -6,6 +6,7 @@
 
 #include "core/expects.h"
 #include "numeric/frontal_cholesky.h"
+#include "numeric/product.h"
 
 namespace bead {
 namespace {
@@ -24,12 +25,6 @@ std::array<double, 2 * most_nodes> values_of(std::span<const int> nodes,
         values[2 * a + 1] = all[2 * std::size_t(nodes[a]) + 1];
     }
     return values;
-}
-
-double product(std::span<const double> a, std::span<const double> b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-    return sum;
 }
 
 }  // namespace

@@ -2,14 +2,10 @@
 
 #include <cmath>
 
+#include "numeric/product.h"
+
 namespace bead {
 namespace {
-
-double product(std::span<const double> a, std::span<const double> b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-    return sum;
-}
 
 void add(std::vector<double>& to, double factor, std::span<const double> what) {
     for (std::size_t i = 0; i < to.size(); ++i) to[i] += factor * what[i];
