@@ -16,6 +16,23 @@ std::vector<PlaneTensor> centre_stress(const PixelModel& model,
     return stress;
 }
 
+PixelVector centre_stress_adjoint(const PixelModel& model, std::span<const PlaneTensor> weight) {
+    PixelVector forces(2 * model.grid.nodes(), 0.0);
+    constexpr double x[] = {-1, 1, 1, -1}, y[] = {-1, -1, 1, 1};
+    const double scale = 1 / (2 * model.grid.size);
+    for (std::size_t pixel = 0; pixel < weight.size(); ++pixel) {
+        if (model.factor[pixel] == 0 || weight[pixel] == PlaneTensor{}) continue;
+        const PlaneTensor w = weight[pixel];
+        const PlaneTensor s = scale * stress_of(law_of(model, pixel), {w.xx, w.yy, 2 * w.xy});
+        const auto corners = model.grid.corners(pixel);
+        for (std::size_t c = 0; c < 4; ++c) {
+            forces[2 * corners[c]] += s.xx * x[c] + s.xy * y[c];
+            forces[2 * corners[c] + 1] += s.xy * x[c] + s.yy * y[c];
+        }
+    }
+    return forces;
+}
+
 std::vector<PlaneTensor> node_stress(const PixelModel& model,
                                      std::span<const double> displacement) {
     std::vector<PlaneTensor> stress(model.grid.nodes());

@@ -19,9 +19,23 @@ inline double failure_index(PlaneTensor stress, const SolidMaterial& material) {
     return std::max(p.first / material.tensile, -p.second / material.compressive);
 }
 
+// How the index changes with stress: its change is that of the components times these, the shear
+// counted twice.
+inline PlaneTensor failure_slope(PlaneTensor stress, const SolidMaterial& material) {
+    const Principal p = principal(stress);
+    const bool pulls = p.first / material.tensile >= -p.second / material.compressive;
+    const Vec2 n = unit(pulls ? p.angle : p.angle + pi / 2);
+    const double by = pulls ? 1 / material.tensile : -1 / material.compressive;
+    return by * PlaneTensor{n.x * n.x, n.y * n.y, n.x * n.y};
+}
+
 // Each solid pixel's mean over the solid pixels whose middles lie within `radius` (mm).
 std::vector<double> averaged_over_solid(const PixelModel& model, const std::vector<double>& values,
                                         double radius);
+
+// The adjoint of that: what a weighted sum of the means weighs each value by.
+std::vector<double> averaging_adjoint(const PixelModel& model,
+                                           const std::vector<double>& weights, double radius);
 
 // Per pixel: whether its middle lies farther than `distance` (mm) from all of the lines.
 std::vector<std::uint8_t> far_from(const PixelGrid& grid, const std::vector<Polyline>& lines,

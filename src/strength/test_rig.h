@@ -44,6 +44,8 @@ class TestRig {
         return solvers_[variants_[variant].situation];
     }
     [[nodiscard]] const PixelVector& load(std::size_t variant) const { return loads_[variant]; }
+    [[nodiscard]] const SolidMaterial& material() const { return material_; }
+    [[nodiscard]] double averaging() const { return options_.averaging; }  // mm
     // Per pixel: whether it counts for the first failure.
     [[nodiscard]] const std::vector<std::uint8_t>& is_judged() const { return judged_; }
 

@@ -3,6 +3,7 @@
 #include "geom/clip.h"
 #include "geom/resample.h"
 #include "infill/fill.h"
+#include "study/layout.h"
 
 namespace bead {
 namespace {
@@ -28,6 +29,13 @@ CrossedLine crossed(const PixelModel& model, const Polyline& line) {
 }
 
 }  // namespace
+
+Vec2 displacement_at(const PixelGrid& grid, std::size_t pixel, const PixelVector& displacement) {
+    Vec2 mean;
+    for (const std::size_t node : grid.corners(pixel))
+        mean = mean + 0.25 * Vec2{displacement[2 * node], displacement[2 * node + 1]};
+    return mean;
+}
 
 std::vector<CrossedLine> crossed_lines(const PixelModel& model, const LoadCase& load_case,
                                        double pitch) {

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "strength/test_rig.h"
-#include "study/braces.h"
 
 namespace bead {
 
@@ -17,6 +16,9 @@ struct BeadCrossing {
 struct CrossedLine {
     std::vector<BeadCrossing> crossings;
 };
+
+// Of a pixel's middle.
+Vec2 displacement_at(const PixelGrid& grid, std::size_t pixel, const PixelVector& displacement);
 
 std::vector<CrossedLine> crossed_lines(const PixelModel& model, const LoadCase& load_case,
                                        double pitch);

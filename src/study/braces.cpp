@@ -59,13 +59,6 @@ std::vector<ModeSpace> spaces_of(const std::vector<VariantModes>& modes) {
     return spaces;
 }
 
-Vec2 displacement_at(const PixelGrid& grid, std::size_t pixel, const PixelVector& shape) {
-    Vec2 mean;
-    for (const std::size_t node : grid.corners(pixel))
-        mean = mean + 0.25 * Vec2{shape[2 * node], shape[2 * node + 1]};
-    return mean;
-}
-
 class Candidates {
   public:
     Candidates(const TestRig& rig, const LoadCase& load_case, const std::vector<ModeSpace>& spaces,

@@ -1,26 +1,26 @@
-// A second bead beside a line where it would fail first.
+// More bead where a structure would break first: second beads beside lines, and bars from bead to
+// bead. Which help is not where the stress is highest but what the sensitivity says: load can be
+// led away from a hot spot by a bead some way off. Taken are those that promise most per length.
 #pragma once
-#include <optional>
 #include <span>
 
-#include "strength/test_rig.h"
+#include "strength/sensitivity.h"
 #include "study/layout.h"
 
 namespace bead {
 
-struct PatchLineOptions {
-    double area = 5;    // mm² of bead that may be spent
-    double hot = 0.93;  // of the highest index: what needs help
-    double warm = 0.8;  // as far along a line as this goes its copy
-    double apart = 4;   // mm between hot spots
-    int most = 9;
-    int place = 0;  // of those that have room beside the hottest line, the nearest is 0
+struct PatchOptions {
+    double area = 5;       // mm² of bead that may be spent, one patch may exceed it
+    double most_area = 8;  // mm², and that only as far as this
+    int most = 9;          // patches
+    int skipped = 0;       // best ones to leave out, for they were tried
+    double pitch = 1.5;    // mm, between parallel bars
+    double longest = 35;   // mm
 };
 
-// `index` per pixel, averaged; of several variants the highest. Nothing if the hottest spot has no
-// room for another bead.
-std::optional<Layout> patch_lines(const Layout& layout, const PixelModel& model,
-                                  std::span<const double> index, const LoadCase& load_case,
-                                  const PatchLineOptions& options);
+// `tested` and `adjoint`: of the layout. Nothing where nothing promises to help.
+Layout patches(const Layout& layout, const TestRig& rig, std::span<const Tested> tested,
+               std::span<const PixelVector> adjoint, const LoadCase& load_case,
+               const PatchOptions& options);
 
 }  // namespace bead

@@ -16,10 +16,10 @@ namespace {
 
 // Of the area, held back for braces and patches: soft materials buckle before they break, stiff
 // ones need patches only.
-constexpr double soft_reserve = 0.09, stiff_reserve = 0.06;
+constexpr double soft_reserve = 0.11, stiff_reserve = 0.06;
 constexpr double stiff_from = 100;     // Young's modulus over strength
 constexpr double thinnest_web = 0.06;  // of the area, lines that there must be room for
-constexpr double pixels_per_bead = 4;
+constexpr double pixels_per_bead = 3;
 constexpr double coarse_pixels = 2;  // per bead, to see which slicer patterns are worth a test
 
 double reserve(const SolidMaterial& material) {

@@ -13,10 +13,10 @@ namespace bead {
 namespace {
 
 constexpr int most_steps = 60;
-constexpr double fruitful = 1.003;        // of the failure factor, that a patch step shall reach
+constexpr double fruitful = 1.003;        // less of the norm, that a patch step shall reach
 constexpr int unneeded = 2;               // times as many braces where they only fill up
-constexpr int patience = 4;               // patch steps in a row without fruit, each in its way
-constexpr double mode_tolerance = 0.02;   // of the lowest factor, on the way
+constexpr int patience = 6;               // patch steps in a row without fruit
+constexpr double mode_tolerance = 0.04;   // of the lowest factor, on the way
 constexpr double other_tolerance = 0.5;   // of those above it
 constexpr int most_vectors = 48;          // in which modes are sought, on the way
 constexpr std::size_t most_searched = 3;  // variants, those that buckle first
@@ -26,23 +26,20 @@ constexpr double overdraw = 0.004;        // of the area, by which it may be exc
 struct Trial {
     TestRig rig;
     std::vector<Tested> tested;
-    std::vector<double> index;  // the highest of the variants
     double failure = 0;
+    double norm = 0;  // of the failure indices
 };
 
 std::optional<Trial> trial_of(const LoadCase& load_case, const Layout& layout, double pixel) {
     const Toolpath layer = layer_of(layout, load_case.print);
     std::optional<TestRig> rig = TestRig::of({&layer, 1}, load_case, {.pixel = pixel});
     if (!rig) return std::nullopt;
-    Trial trial{std::move(*rig), {}, {}, std::numeric_limits<double>::infinity()};
-    trial.index.assign(trial.rig.model().factor.size(), 0.0);
+    Trial trial{std::move(*rig), {}, std::numeric_limits<double>::infinity(), 0};
     for (std::size_t v = 0; v < trial.rig.variants().size(); ++v) {
         trial.tested.push_back(trial.rig.tested(v));
-        const Tested& tested = trial.tested.back();
-        trial.failure = std::min(trial.failure, tested.factor());
-        for (std::size_t p = 0; p < trial.index.size(); ++p)
-            trial.index[p] = std::max(trial.index[p], tested.index[p]);
+        trial.failure = std::min(trial.failure, trial.tested.back().factor());
     }
+    trial.norm = failure_norm(trial.tested);
     return trial;
 }
 
@@ -124,35 +121,38 @@ class Loop {
     void take(std::optional<Trial> next, Layout more) {
         trial_ = std::move(next);
         modes_are_of_trial_ = false;
+        adjoint_.clear();
+        tries_ = 0;
         result_.layout.insert(result_.layout.end(), more.begin(), more.end());
     }
 
     void patch() {
-        const double budget = std::min(options_.patch_step * options_.area, left());
-        PatchLineOptions how{.area = budget};
-        if (fruitless_ > 0) {  // only the hottest, at the nearest place, then at other ones
+        if (adjoint_.empty()) adjoint_ = sensitivity(trial_->rig, trial_->tested);
+        PatchOptions how{.area = std::min(options_.patch_step * options_.area, left())};
+        how.most_area = left() + overdraw * options_.area;
+        if (tries_ > 0) {  // one by one
             how.most = 1;
-            how.place = fruitless_ - 1;
+            how.skipped = tries_ - 1;
         }
-        const std::optional<Layout> more =
-            patch_lines(result_.layout, trial_->rig.model(), trial_->index, case_, how);
-        if (!more ||
-            deposited_area(*more, case_.print.bead_width) > left() + overdraw * options_.area) {
-            ++fruitless_;
+        ++tries_;
+        const Layout more =
+            patches(result_.layout, trial_->rig, trial_->tested, adjoint_, case_, how);
+        if (more.empty()) {
+            fruitless_ = patience;
             return;
         }
         Layout with = result_.layout;
-        with.insert(with.end(), more->begin(), more->end());
+        with.insert(with.end(), more.begin(), more.end());
         std::optional<Trial> next = trial_of(case_, with, options_.pixel);
-        const double before = trial_->failure;
-        if (!next || next->failure < before) {
+        const double before = trial_->norm;
+        if (!next || next->norm > before) {
             ++fruitless_;
             return;
         }
-        take(std::move(next), *more);
-        fruitless_ = trial_->failure < fruitful * before ? fruitless_ + 1 : 0;
+        take(std::move(next), more);
+        fruitless_ = trial_->norm > before / fruitful ? fruitless_ + 1 : 0;
         if (buckling_ < options_.margin * trial_->failure) find_modes();
-        note(false, more->size());
+        note(false, more.size());
     }
 
     // `share`: of the usual number of braces.
@@ -182,8 +182,10 @@ class Loop {
     std::optional<Trial> trial_;
     std::vector<VariantModes> modes_;
     bool modes_are_of_trial_ = false;
+    std::vector<PixelVector> adjoint_;  // of the trial
     double buckling_ = 0;
-    int fruitless_ = 0;
+    int fruitless_ = 0;  // patch steps in a row
+    int tries_ = 0;      // patch steps on this trial
     Strengthened result_;
 };
 

@@ -9,13 +9,13 @@
 namespace bead {
 
 struct StrengthenOptions {
-    double area = 0;      // mm², all beads
-    double pixel = 0.15;  // mm, of the tests on the way
+    double area = 0;     // mm², all beads
+    double pixel = 0.2;  // mm, of the tests on the way
     int modes = 8;
     double margin = 1.05;  // buckling shall come this much later than breaking
-    double brace_step = 0.009, patch_step = 0.005;  // of the area, per test
-    double full = 0.0035;                           // of the area: what is not worth another step
-    double shortest_brace = 2.5;                    // mm
+    double brace_step = 0.01, patch_step = 0.006;  // of the area, per test
+    double full = 0.0035;                          // of the area: what is not worth another step
+    double shortest_brace = 2.5;                   // mm
 };
 
 struct StrengthenStep {
