@@ -51,10 +51,10 @@ function(bead_embed module folder)
 
 namespace bead {
 
-static const EmbeddedFile table[] = {
+static const EmbeddedFile every_file[] = {
 ${rows}};
 
-std::span<const EmbeddedFile> embedded_files() { return table; }
+std::span<const EmbeddedFile> embedded_files() { return every_file; }
 
 }  // namespace bead
 ")

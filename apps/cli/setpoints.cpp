@@ -6,15 +6,15 @@
 #include <cmath>
 #include <vector>
 
+#include "travel_speed.h"
 #include "vibration/piece.h"
 #include "vibration/timed.h"
 
 namespace bead::cli {
 namespace {
 
-constexpr double step = 0.001;        // s
-constexpr double travel_speed = 120;  // mm/s
-constexpr double z_speed = 10;        // mm/s
+constexpr double step = 0.001;  // s
+constexpr double z_speed = 10;  // mm/s
 
 struct Samples {
     std::array<std::vector<double>, 2> places;  // mm
@@ -31,7 +31,7 @@ Samples samples_of(const Toolpath& layer, const TimeLaw& law, double volume) {
         samples.places[1].push_back(at.y);
         samples.volumes.push_back(laid);
     };
-    timed(pieces_of(layer, travel_speed), law, [&](const MotionSegment& segment) {
+    timed(pieces_of(layer, usual_travel_speed), law, [&](const MotionSegment& segment) {
         for (; wait < segment.duration; wait += step) {
             const double gone = std::clamp(way(segment, wait), 0.0, segment.length);
             keep(segment.from + gone * segment.direction, volume + gone * segment.flow);

@@ -129,6 +129,8 @@ SmoothFileOptions file_options(const SmoothCall& options, const MachineChoice& c
     file.filament = printer.filament;
     file.threads = options.threads;
     if (options.arcs) file.arc_tolerance = 0.01;
+    file.law = law_of(options, printer.limits);
+    file.firmware = {printer.limits, choice.machine.motion};
     return file;
 }
 
@@ -140,7 +142,7 @@ void smooth(const SmoothCall& options) {
     const SmoothFileOptions file = file_options(options, choice);
     const OpenedText text = open_text(options.file);
     SmoothReport report({.machine = machine_of(choice.machine, options),
-                         .law = law_of(options, choice.machine.printer.limits),
+                         .law = file.law,
                          .law_name = options.law,
                          .modes = file.smooth.modes,
                          .bytes = std::int64_t(std::filesystem::file_size(options.file)),

@@ -8,6 +8,9 @@
 #include "core/parallel.h"
 #include "gcode/layer_plan.h"
 #include "gcode/motion_text.h"
+#include "smooth/travel_kind.h"
+#include "vibration/piece.h"
+#include "vibration/timed.h"
 
 namespace bead::cli {
 namespace {
@@ -15,7 +18,8 @@ namespace {
 constexpr std::size_t most_layers = 64, most_moves = 200'000;  // read before they are smoothed
 constexpr double same_volume = 0.003;                          // part
 constexpr double most_turned = 10;                             // mm, of travel
-constexpr double most_beyond = 2;                              // mm, outside the layer's old box
+constexpr const char* slower = "would take longer";
+constexpr double most_beyond = 2;  // mm, outside the layer's old box
 
 struct Item {
     FileLayer layer;
@@ -26,6 +30,7 @@ struct Item {
     Vec2 start;  // where the file's nozzle is before the layer's first bead is headed for
     std::string reason;
     SmoothedLayer after;
+    double before_time = 0, after_time = 0;  // s, by the law
 };
 
 MotionState state_of(const LayerPlan::Place& place) {
@@ -64,12 +69,6 @@ bool is_within(const Toolpath& layer, const Bounds& old, const Bounds& with_way)
         return path.role == Role::travel ? holds(with_way, most_turned, path)
                                          : holds(old, most_beyond, path);
     });
-}
-
-double travel_speed(const Toolpath& layer) {
-    for (const Path& path : layer)
-        if (path.role == Role::travel) return path.speed;
-    return 120;
 }
 
 Path way_to(const Toolpath& layer, Vec2 from, double speed) {
@@ -140,7 +139,9 @@ class Smoother {
 
     void smooth(Item& item) const {
         item.reason = item.plan.obstacle;
-        if (!has_body(item) || !item.reason.empty()) return;
+        if (!has_body(item)) return;
+        item.before_time = time_of(item, before(item));
+        if (!item.reason.empty()) return;
         SmoothOptions options = options_.smooth;
         options.start = item.start;
         // Nobody says what these beads are: they keep their order.
@@ -148,15 +149,52 @@ class Smoother {
             return path.role != Role::travel && path.role != Role::other;
         });
         if (!named) options.stages.order = options.stages.chains = false;
-        item.after = smoothed(item.plan.body, options);
-        const double before = deposited(item.plan.body), after = deposited(item.after.path);
-        if (!(std::abs(after - before) <= same_volume * before))
-            item.reason = "volume would change";
+        const double printed_before = printed_in(item, before(item));
+        const auto try_with = [&](const SmoothStages& stages) {
+            options.stages = stages;
+            item.after = smoothed(item.plan.body, options);
+            item.reason = fault_of(item, printed_before);
+        };
+        const SmoothStages asked = options.stages;
+        try_with(asked);
+        // Long chords turn more at once, which some firmware brakes for.
+        if (item.reason == slower && asked.chords) {
+            SmoothStages without = asked;
+            without.chords = false;
+            try_with(without);
+        }
+        if (!item.reason.empty()) item.after = {};
+    }
+
+    // Why it must not be taken; empty if it may. Tells how long it takes by the law.
+    std::string fault_of(Item& item, double printed_before) const {
+        const double was = deposited(item.plan.body), is = deposited(item.after.path);
+        if (!(std::abs(is - was) <= same_volume * was)) return "volume would change";
         const Bounds old = bounds_of(item.plan.body);
         Bounds with_way = old;
         with_way.add({item.start.x, item.start.y, 0});
-        if (!is_within(item.after.path, old, with_way)) item.reason = "would lead out of the layer";
-        if (!item.reason.empty()) item.after = {};
+        if (!is_within(item.after.path, old, with_way)) return "would lead out of the layer";
+        const Toolpath path = from_place(item.after.path, item.start, speed_of(item));
+        item.after_time = time_of(item, path);
+        return printed_in(item, path) > printed_before ? slower : "";
+    }
+
+    static double speed_of(const Item& item) { return usual_pace(item.plan.whole).speed; }
+
+    static Toolpath before(const Item& item) {
+        return from_place(item.plan.body.empty() ? item.plan.whole : item.plan.body, item.start,
+                          speed_of(item));
+    }
+
+    double printed_in(const Item& item, const Toolpath& layer) const {
+        return firmware_time(layer, options_.firmware, item.style);
+    }
+
+    double time_of(const Item& item, const Toolpath& layer) const {
+        double sum = 0;
+        timed(pieces_of(layer, speed_of(item)), options_.law,
+              [&](const MotionSegment& segment) { sum += segment.duration; });
+        return sum;
     }
 
     void write(std::vector<Item>& batch) {
@@ -176,11 +214,13 @@ class Smoother {
 
     void write(Item& item, LayerPair& pair) {
         if (!has_body(item)) return write_as_it_was(item);
-        pair.before = from_place(item.plan.body.empty() ? item.plan.whole : item.plan.body,
-                                 item.start, travel_speed(item.plan.whole));
+        pair.before = before(item);
+        pair.before_time = item.before_time;
+        pair.after_time = item.after_time;
         if (!item.reason.empty()) {
             ++result_.left[item.reason];
             pair.after = pair.before;
+            pair.after_time = pair.before_time;
             write_as_it_was(item);
         } else {
             pair.smoothed = true;
@@ -245,7 +285,7 @@ class Smoother {
         }
         ours_.acceleration = plan.head.acceleration;
         write_rest(item, plan.head_end, plan.tail_begin, true);
-        pair.after = from_place(item.after.path, flat(ours_.at), travel_speed(plan.whole));
+        pair.after = from_place(item.after.path, flat(ours_.at), usual_pace(plan.whole).speed);
         write_motion(item, pair.after);
         if (plan.tail_free && !item.last) {
             write_rest(item, plan.tail_begin, count, false);

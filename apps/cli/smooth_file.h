@@ -7,9 +7,11 @@
 #include <string>
 
 #include "core/progress.h"
+#include "firmware_time.h"
 #include "gcode/reader.h"
 #include "gcode/text_source.h"
 #include "smooth/smooth.h"
+#include "vibration/time_law.h"
 
 namespace bead::cli {
 
@@ -18,6 +20,8 @@ struct SmoothFileOptions {
     ReadOptions read;
     double filament = 1.75;    // mm, diameter
     double arc_tolerance = 0;  // mm; above 0: arcs as G2 and G3
+    TimeLaw law;               // by which layers are timed
+    FirmwareClock firmware;    // by which no layer may take longer than before
     int threads = 0;
 };
 
@@ -28,6 +32,7 @@ struct LayerPair {
     std::int64_t bytes = 0;  // of the file, up to the layer's end
     bool smoothed = false;
     Toolpath before, after;
+    double before_time = 0, after_time = 0;  // s, by the law
 };
 // Several layers, whose order is that of the file.
 using LayerPairs = std::function<void(const std::vector<LayerPair>&)>;

@@ -110,7 +110,10 @@ struct SmoothReport::State {
                 SmoothSide& judged = side == 0 ? before : after;
                 judged.add(figures[i][side]);
                 if (setpoints && side == 1) setpoints->add(layers[i].after, layers[i].z);
-                judged.add(side == 0 ? layers[i].before : layers[i].after, sampled_here[i] != 0);
+                if (sampled_here[i] != 0)
+                    judged.add(side == 0 ? layers[i].before : layers[i].after);
+                else
+                    judged.add_time(side == 0 ? layers[i].before_time : layers[i].after_time);
             }
         });
     }

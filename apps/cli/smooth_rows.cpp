@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "smooth/metrics.h"
+#include "travel_speed.h"
 #include "vibration/piece.h"
 
 namespace bead::cli {
 namespace {
 
 constexpr double response_step = 0.001;  // s, of the simulation
-constexpr double row_travel_speed = 120;
 
 }  // namespace
 
@@ -47,22 +47,16 @@ void PathFigures::add(const PathFigures& layer) {
 
 SmoothSide::SmoothSide(const ShakenMachine& machine, const TimeLaw& law)
     : machine_(machine),
-      law_(law),
       meter_(machine, law, response_step),
       timing_(law, [this](const MotionSegment& segment) { meter_.add(segment); }) {}
 
-void SmoothSide::add(const Toolpath& layer, bool sampled) {
+void SmoothSide::add(const Toolpath& layer) {
     if (layer.empty()) return;
-    if (!sampled) {
-        const std::vector<Piece> pieces = pieces_of(layer, row_travel_speed);
-        timed(pieces, law_, [this](const MotionSegment& s) { other_time_ += s.duration; });
-        return;
-    }
     const Vec2 first = flat(layer.front().points.front());
     if (at_ && distance(*at_, first) > 1e-3)
         timing_.add(
-            {.from = *at_, .to = first, .feed = row_travel_speed, .acceleration = 0, .flow = 0});
-    for (const Piece& piece : pieces_of(layer, row_travel_speed)) {
+            {.from = *at_, .to = first, .feed = usual_travel_speed, .acceleration = 0, .flow = 0});
+    for (const Piece& piece : pieces_of(layer, usual_travel_speed)) {
         timing_.add(piece);
         any_ = true;
     }

@@ -27,7 +27,8 @@ class SmoothSide {
   public:
     SmoothSide(const ShakenMachine& machine, const TimeLaw& law);
 
-    void add(const Toolpath& layer, bool sampled);
+    void add(const Toolpath& sampled_layer);
+    void add_time(double seconds) { other_time_ += seconds; }  // of a layer that is not sampled
     void add(const PathFigures& figures) { figures_.add(figures); }
     void finish();
     [[nodiscard]] Json json() const;
@@ -40,7 +41,6 @@ class SmoothSide {
 
   private:
     const ShakenMachine& machine_;
-    TimeLaw law_;
     ResponseMeter meter_;
     Timing timing_;
     std::optional<Vec2> at_;

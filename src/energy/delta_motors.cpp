@@ -5,16 +5,15 @@
 #include <numeric>
 
 #include "energy/integral.h"
+#include "energy/units.h"
 #include "motion/delta_arms.h"
 #include "motion/phases.h"
 
 namespace bead {
 namespace {
 
-constexpr double accuracy = 1e-7;         // J a block
-constexpr double tower_newton_mm = 1e-3;  // J
-constexpr double kg_mm2_per_s2 = 1e-6;    // J
-constexpr double gravity = 9806.65;       // mm/s²
+constexpr double accuracy = 1e-7;    // J a block
+constexpr double gravity = 9806.65;  // mm/s²
 
 using Towers = std::array<double, 3>;
 using Slopes = std::array<Carriage::Slope, 3>;
@@ -52,7 +51,7 @@ Costs cost_at(const Scene& scene, const Phase& phase, double s) {
         const double lift = h[i].bend * squared + h[i].rate * a + gravity;
         const double pull = head[i] + motor.moving_mass * kg_mm2_per_s2 * lift;
         const double turning = std::abs(h[i].rate);
-        const double work = motor.friction * tower_newton_mm * turning + pull * h[i].rate;
+        const double work = motor.friction * newton_mm * turning + pull * h[i].rate;
         cost[i] = motor.per_speed * turning;
         cost[i + 3] = std::max(0.0, work) / motor.efficiency;
     }

@@ -8,19 +8,19 @@ namespace bead {
 
 namespace {
 
-using Row = std::array<double, 4>;  // A, B, C, H
+using Terms = std::array<double, 4>;  // A, B, C, H
 
 // Standard errors (J per unit) and correlations of the coefficients: least squares through the
 // origin on Table 3 of Somade (2023); so is the residual, J.
-constexpr Row standard_error{3.18727693e-5, 2.11515088e-5, 3.97905380e-3, 0.134870611};
-constexpr std::array<Row, 4> correlation{{{1, -0.32463069, -0.64916269, 0.19600612},
-                                          {-0.32463069, 1, -0.08506255, -0.56159289},
-                                          {-0.64916269, -0.08506255, 1, -0.43141797},
-                                          {0.19600612, -0.56159289, -0.43141797, 1}}};
+constexpr Terms standard_error{3.18727693e-5, 2.11515088e-5, 3.97905380e-3, 0.134870611};
+constexpr std::array<Terms, 4> correlation{{{1, -0.32463069, -0.64916269, 0.19600612},
+                                            {-0.32463069, 1, -0.08506255, -0.56159289},
+                                            {-0.64916269, -0.08506255, 1, -0.43141797},
+                                            {0.19600612, -0.56159289, -0.43141797, 1}}};
 constexpr double residual = 100.1529;
 constexpr double student_95_of_6 = 2.446912;
 
-Interval around(double energy, const Row& features) {
+Interval around(double energy, const Terms& features) {
     double variance = residual * residual;
     for (std::size_t i = 0; i < features.size(); ++i)
         for (std::size_t j = 0; j < features.size(); ++j)

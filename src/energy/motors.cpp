@@ -4,14 +4,11 @@
 #include <cmath>
 
 #include "core/expects.h"
+#include "energy/units.h"
 #include "motion/linear_drive.h"
 
 namespace bead {
-
 namespace {
-
-constexpr double newton_mm = 1e-3;      // J
-constexpr double kg_mm2_per_s2 = 1e-6;  // J
 
 // Per mm of the head's way, J/mm; or with the phases' ways put in, J.
 struct Phased {

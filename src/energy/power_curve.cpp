@@ -11,7 +11,7 @@ namespace {
 
 // Of a step: times that are closer than this to its end are its end, whatever rounding made of
 // them.
-constexpr double rounding = 1e-6;
+constexpr double rounding_share = 1e-6;
 
 }  // namespace
 
@@ -20,7 +20,7 @@ PowerCurve::PowerCurve(double step, std::function<void(const PowerStep&)> sink)
     BEAD_EXPECTS(step > 0);
 }
 
-double PowerCurve::index(double time) const { return std::floor(time / step_ + rounding); }
+double PowerCurve::index(double time) const { return std::floor(time / step_ + rounding_share); }
 
 double PowerCurve::end_of_step(double time) const { return (index(time) + 1) * step_; }
 

@@ -14,8 +14,7 @@ std::vector<PlaneTensor> centre_stress(const PixelModel& model,
                                        std::span<const double> displacement);
 // The adjoint of that: nodal forces f so that f·u is the sum over pixels of stress times `weight`,
 // component by component, the shear counted twice.
-PixelVector centre_stress_adjoint(const PixelModel& model,
-                                       std::span<const PlaneTensor> weight);
+PixelVector centre_stress_adjoint(const PixelModel& model, std::span<const PlaneTensor> weight);
 // Per node; zero where there is no solid pixel around. Each pixel's bilinear stress is taken at the
 // node, then the mean over the pixels.
 std::vector<PlaneTensor> node_stress(const PixelModel& model, std::span<const double> displacement);

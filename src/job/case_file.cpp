@@ -21,7 +21,7 @@ namespace {
 constexpr double flatness = 0.002;  // mm, of the polygons that stand for circles
 constexpr double radian = pi / 180;
 constexpr double farthest = 1e5;  // mm
-constexpr Range share{.low = 0, .high = 1, .open_low = true};
+constexpr Range fill_range{.low = 0, .high = 1, .open_low = true};
 
 Vec2 point(std::array<double, 2> xy) { return {xy[0], xy[1]}; }
 
@@ -99,7 +99,7 @@ PrintWish read_print(TomlReader& file, const std::string& name) {
     PrintWish p;
     p.bead_width = file.number("print.bead_width_mm", p.bead_width, positive);
     p.layer_height = file.number("print.layer_height_mm", p.layer_height, positive);
-    p.fill = file.number("print.fill", p.fill, share);
+    p.fill = file.number("print.fill", p.fill, fill_range);
     p.walls = file.integer("print.walls", p.walls, {.low = 0, .high = 100});
     p.heat = read_heat(file, name);
     return p;

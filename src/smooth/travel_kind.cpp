@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 namespace bead {
 namespace {
@@ -11,16 +12,19 @@ constexpr double usual = 2;        // mm
 
 }  // namespace
 
-TravelKind::TravelKind(const Toolpath& layer) : walls_(layer) {
+TravelPace usual_pace(const Toolpath& layer) {
+    std::map<TravelPace, double> ways;  // mm
+    for (const Path& path : layer)
+        if (path.role == Role::travel) ways[{path.speed, path.acceleration}] += length(path);
+    const auto longest =
+        std::ranges::max_element(ways, {}, [](const auto& way) { return way.second; });
+    return longest == ways.end() ? TravelPace{} : longest->first;
+}
+
+TravelKind::TravelKind(const Toolpath& layer) : pace_(usual_pace(layer)), walls_(layer) {
     double shortest = std::numeric_limits<double>::infinity(), longest_without = 0;
-    bool found = false;
     for (const Path& path : layer) {
         if (path.role != Role::travel || path.points.size() < 2) continue;
-        if (!found) {
-            speed_ = path.speed;
-            acceleration_ = path.acceleration;
-        }
-        found = true;
         if (path.retracted)
             shortest = std::min(shortest, length(path));
         else
@@ -37,8 +41,8 @@ bool TravelKind::is_retracted(const Polyline& points) const {
 
 Path TravelKind::path_along(const Polyline& points, double z) const {
     Path path;
-    path.speed = speed_;
-    path.acceleration = acceleration_;
+    path.speed = pace_.speed;
+    path.acceleration = pace_.acceleration;
     path.retracted = is_retracted(points);
     path.points.reserve(points.size());
     for (const Vec2 point : points) path.points.push_back(at_height(point, z));

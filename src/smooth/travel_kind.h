@@ -2,9 +2,19 @@
 // is pulled back for it. Slicers that do so for some short travel but not for longer ones look at
 // the walls: they let it ooze where nobody will see.
 #pragma once
+#include <compare>
+
 #include "smooth/walls.h"
 
 namespace bead {
+
+// How most of a layer's travel goes, by length: short wipes are slower.
+struct TravelPace {
+    double speed = 120;       // mm/s
+    double acceleration = 0;  // mm/s²; 0: the printer's usual
+    auto operator<=>(const TravelPace&) const = default;
+};
+TravelPace usual_pace(const Toolpath& layer);
 
 class TravelKind {
   public:
@@ -16,7 +26,7 @@ class TravelKind {
   private:
     [[nodiscard]] bool is_retracted(const Polyline& points) const;
 
-    double speed_ = 120, acceleration_ = 0;
+    TravelPace pace_;
     double shortest_;       // mm, of what is retracted
     bool by_walls_ = true;  // of those as long only what crosses a wall
     Walls walls_;

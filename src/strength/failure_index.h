@@ -34,8 +34,8 @@ std::vector<double> averaged_over_solid(const PixelModel& model, const std::vect
                                         double radius);
 
 // The adjoint of that: what a weighted sum of the means weighs each value by.
-std::vector<double> averaging_adjoint(const PixelModel& model,
-                                           const std::vector<double>& weights, double radius);
+std::vector<double> averaging_adjoint(const PixelModel& model, const std::vector<double>& weights,
+                                      double radius);
 
 // Per pixel: whether its middle lies farther than `distance` (mm) from all of the lines.
 std::vector<std::uint8_t> far_from(const PixelGrid& grid, const std::vector<Polyline>& lines,

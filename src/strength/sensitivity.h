@@ -3,7 +3,8 @@
 // same equations per variant) tells what any force, and so any bar, would change.
 //
 //     const std::vector<PixelVector> adjoint = sensitivity(rig, tested);
-//     // A bar of k N/mm from a to b along the unit vector t lowers the norm, to first order, by the
+//     // A bar of k N/mm from a to b along the unit vector t lowers the norm, to first order, by
+//     the
 //     // sum over variants of k (t·(λb − λa)) (t·(ub − ua)), λ being the adjoint.
 //
 // Bendsøe and Sigmund, Topology Optimization (2003), 1.2 (adjoints); Duysinx and Sigmund 1998

@@ -13,13 +13,11 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
-constexpr double soft_joints = 0.5;  // of a bar's stiffness that a brace is counted with
-constexpr double least_cell = 0.8;   // mm; shorter ways between beads are no cells
-constexpr double end_cost = 1.5;     // mm of length that a brace costs besides its own
-constexpr std::size_t kept = 3000;   // candidates that are looked at closely
-constexpr double apart = 1.2;        // mm, between the middles of two braces
-constexpr double enough = 0.9;       // of the budget
-constexpr double worth = 1e-6;       // of the measure, that a brace must gain
+constexpr double least_cell = 0.8;  // mm; shorter ways between beads are no cells
+constexpr std::size_t kept = 3000;  // candidates that are looked at closely
+constexpr double apart = 1.2;       // mm, between the middles of two braces
+constexpr double enough = 0.9;      // of the budget
+constexpr double worth = 1e-6;      // of the measure, that a brace must gain
 
 struct Brace {
     Vec2 from, to;

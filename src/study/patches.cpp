@@ -16,16 +16,14 @@ constexpr std::size_t stretch = 4;                          // samples over whic
 constexpr std::array<double, 5> lengths{4, 7, 12, 20, 34};  // mm, of second beads
 constexpr double between = 1;                               // mm, starts of second beads
 constexpr int most_copies = 2;                              // beads aside at which one may lie
-constexpr double outward = 0.05;      // mm, where a second bead's room is looked at
-constexpr double room = 0.7;          // share of solid below which there is room
-constexpr double inside_share = 0.9;  // of its points that must be inside
-constexpr double shortest_patch = 1.5, shortest_bar = 2;  // mm
-constexpr int most_cells = 3;                             // that one bar may cross
+constexpr double outward = 0.05;         // mm, where a second bead's room is looked at
+constexpr double roomy = 0.7;            // share of solid below which there is room
+constexpr double inside_share = 0.9;     // of its points that must be inside
+constexpr double shortest_patch = 1.5;   // mm, of second beads cut off at the part's edge
+constexpr int most_crossed = 3;          // that one bar may cross
 constexpr double cool = 0.9;             // of the highest index, where a bead may end
-constexpr double soft_joints = 0.5;      // of a bar's stiffness that it is counted with
-constexpr double end_cost = 1.5;         // mm of length that a patch costs besides its own
 constexpr std::size_t looked_at = 3000;  // candidates
-constexpr double overdraw = 1.5;         // of the budget, by the last one
+constexpr double over_budget = 1.5;      // of the budget, by the last one
 
 struct Patch {
     Polyline points;  // of a second bead: the stretch that it lies beside
@@ -38,7 +36,7 @@ class Patcher {
   public:
     Patcher(const Layout& layout, const TestRig& rig, std::span<const Tested> tested,
             std::span<const PixelVector> adjoint, const LoadCase& load_case,
-            const PatchOptions& options)
+            const PatchLineOptions& options)
         : layout_(layout),
           model_(rig.model()),
           tested_(tested),
@@ -58,10 +56,9 @@ class Patcher {
         std::vector<Patch> taken;
         double used = 0;
         int skipped = 0;
+        const std::size_t most = std::size_t(options_.most) + std::size_t(options_.skipped);
         for (const Patch& candidate : best_candidates()) {
-            if (taken.size() >= static_cast<std::size_t>(options_.most + options_.skipped) ||
-                used >= options_.area)
-                break;
+            if (taken.size() >= most || used >= options_.area) break;
             const auto is_near = [&](const Patch& other) {
                 return distance(middle(other), middle(candidate)) <
                        std::max(other.size, candidate.size) / 2;
@@ -80,7 +77,8 @@ class Patcher {
 
   private:
     bool is_affordable(double area, double used) const {
-        return area <= options_.most_area && (used == 0 || used + area <= overdraw * options_.area);
+        return area <= options_.most_area &&
+               (used == 0 || used + area <= over_budget * options_.area);
     }
 
     static Vec2 middle(const Patch& candidate) {
@@ -129,11 +127,11 @@ class Patcher {
     void append_bars(std::vector<Patch>& found, const std::vector<BeadCrossing>& at) const {
         for (std::size_t a = 0; a + 1 < at.size(); ++a) {
             double sum = 0;
-            for (std::size_t b = a + 1; b < at.size() && b <= a + most_cells; ++b) {
+            for (std::size_t b = a + 1; b < at.size() && b <= a + most_crossed; ++b) {
                 sum += soft_joints * gain(at[b - 1].at, at[b].at);
                 const double size = distance(at[a].at, at[b].at);
-                if (size >= shortest_bar && size <= options_.longest && is_cool(at[a].at) &&
-                    is_cool(at[b].at))
+                if (size >= options_.shortest_bar && size <= options_.longest &&
+                    is_cool(at[a].at) && is_cool(at[b].at))
                     append(found, {{at[a].at, at[b].at}, true, size, sum});
             }
         }
@@ -175,7 +173,7 @@ class Patcher {
     std::optional<Polyline> second_bead(const Polyline& line) const {
         for (int number = 1; number <= most_copies; ++number) {
             const double left = fullness(line, number, 1), right = fullness(line, number, -1);
-            if (std::min(left, right) < room)
+            if (std::min(left, right) < roomy)
                 return clipped(shifted_aside(line, (left <= right ? 1 : -1) * number * aside_));
         }
         return std::nullopt;
@@ -211,7 +209,7 @@ class Patcher {
     std::span<const Tested> tested_;
     std::span<const PixelVector> adjoint_;
     const LoadCase& case_;
-    const PatchOptions& options_;
+    const PatchLineOptions& options_;
     Region inside_;
     double width_;
     double aside_;  // mm between copies
@@ -223,7 +221,7 @@ class Patcher {
 
 Layout patches(const Layout& layout, const TestRig& rig, std::span<const Tested> tested,
                std::span<const PixelVector> adjoint, const LoadCase& load_case,
-               const PatchOptions& options) {
+               const PatchLineOptions& options) {
     return Patcher(layout, rig, tested, adjoint, load_case, options).found();
 }
 

@@ -41,6 +41,13 @@ TEST(TravelKind, goes_as_the_layer_went) {
     EXPECT_EQ(path.points[1].z, 0.4);
 }
 
+TEST(TravelKind, goes_as_most_of_the_way_not_as_a_wipe_that_came_first) {
+    const Toolpath layer =
+        walled({travel(hop, false, 80), travel(inside, true), travel(hop, false, 80)});
+    EXPECT_EQ(usual_pace(layer), (TravelPace{150, 700}));
+    EXPECT_EQ(TravelKind(layer).path_along(across, 0.4).speed, 150);
+}
+
 TEST(TravelKind, retracts_from_the_length_on_from_which_the_layer_did) {
     const TravelKind kind(walled({travel(inside, true), travel(hop, false)}));
     EXPECT_TRUE(kind.path_along(inside, 0).retracted);
