@@ -10,13 +10,13 @@
 namespace bead {
 
 struct PatchLineOptions {
-    double area = 5;            // mm² of bead that may be spent, one patch may exceed it
-    double most_area = 8;       // mm², and that only as far as this
-    int most = 9;               // patches
-    int skipped = 0;            // best ones to leave out, for they were tried
-    double pitch = 1.5;         // mm, between parallel bars
-    double shortest_bar = 2.5;  // mm
-    double longest = 35;        // mm
+    double area = 5;          // mm² of bead that may be spent, one patch may exceed it
+    double most_area = 8;     // mm², and that only as far as this
+    int most = 9;             // patches
+    int skipped = 0;          // best ones to leave out, for they were tried
+    double pitch = 1.5;       // mm, between parallel bars
+    double shortest_bar = 2;  // mm
+    double longest = 35;      // mm
 };
 
 // `tested` and `adjoint`: of the layout. Nothing where nothing promises to help.

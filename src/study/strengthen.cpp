@@ -129,7 +129,6 @@ class Loop {
     void patch() {
         if (adjoint_.empty()) adjoint_ = sensitivity(trial_->rig, trial_->tested);
         PatchLineOptions how{.area = std::min(options_.patch_step * options_.area, left())};
-        how.shortest_bar = options_.shortest_brace;
         how.most_area = left() + overdraw * options_.area;
         if (tries_ > 0) {  // one by one
             how.most = 1;
