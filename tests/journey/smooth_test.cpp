@@ -103,6 +103,24 @@ TEST(Smooth, KeepsWhatIsLaidDownAndSaid) {
         3e-3);
 }
 
+TEST(Smooth, TakesNoLongerByTheFirmware) {
+    for (const char* machine : {"", " --firmware marlin-jd", " --firmware klipper"})
+        for (const char* modes : {"14,22", "45,38"}) {
+            const Folder folder;
+            const std::string file = folder.write("a.gcode", printed()), out = folder / "b.gcode";
+            const Outcome smoothed =
+                beadwork("smooth " + file + " -o " + out + " --modes " + modes + machine);
+            ASSERT_EQ(smoothed.status, 0) << smoothed.err;
+            const auto time = [&](const std::string& gcode) {
+                const Outcome run = beadwork("simulate " + gcode + machine + " --json -");
+                EXPECT_EQ(run.status, 0) << run.err;
+                return smoothed_number(run.out, "time_s");
+            };
+            // Layers are judged one by one from rest: a little is lost where they meet.
+            EXPECT_LT(time(out), 1.003 * time(file)) << machine << " " << modes;
+        }
+}
+
 TEST(Smooth, LeavesLayersThatCannotBeMoved) {
     const Folder folder;
     for (const std::string line : {"M600\n", "T1\n", "SOME_MACRO\n", "M106 S7\n"}) {
