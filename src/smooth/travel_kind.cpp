@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <utility>
 
 namespace bead {
 namespace {
@@ -13,12 +14,17 @@ constexpr double usual = 2;        // mm
 }  // namespace
 
 TravelPace usual_pace(const Toolpath& layer) {
-    std::map<TravelPace, double> ways;  // mm
+    std::map<std::pair<double, double>, double> ways;  // mm, by speed and acceleration
     for (const Path& path : layer)
         if (path.role == Role::travel) ways[{path.speed, path.acceleration}] += length(path);
-    const auto longest =
-        std::ranges::max_element(ways, {}, [](const auto& way) { return way.second; });
-    return longest == ways.end() ? TravelPace{} : longest->first;
+    TravelPace usual;
+    double longest = 0;
+    for (const auto& [pace, way] : ways)
+        if (way > longest) {
+            longest = way;
+            usual = {pace.first, pace.second};
+        }
+    return usual;
 }
 
 TravelKind::TravelKind(const Toolpath& layer) : pace_(usual_pace(layer)), walls_(layer) {

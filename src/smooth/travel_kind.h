@@ -2,8 +2,6 @@
 // is pulled back for it. Slicers that do so for some short travel but not for longer ones look at
 // the walls: they let it ooze where nobody will see.
 #pragma once
-#include <compare>
-
 #include "smooth/walls.h"
 
 namespace bead {
@@ -12,7 +10,7 @@ namespace bead {
 struct TravelPace {
     double speed = 120;       // mm/s
     double acceleration = 0;  // mm/s²; 0: the printer's usual
-    auto operator<=>(const TravelPace&) const = default;
+    bool operator==(const TravelPace&) const = default;
 };
 TravelPace usual_pace(const Toolpath& layer);
 
