@@ -4,7 +4,7 @@
 #include <variant>
 
 #include "geom/vec.h"
-#include "travel_speed.h"
+#include "smooth/travel_kind.h"
 
 namespace bead::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "travel_speed.h"
+#include "smooth/travel_kind.h"
 #include "vibration/piece.h"
 #include "vibration/timed.h"
 

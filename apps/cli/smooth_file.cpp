@@ -29,6 +29,7 @@ struct Item {
     bool last = false;
     Vec2 start;  // where the file's nozzle is before the layer's first bead is headed for
     std::string reason;
+    Toolpath before;
     SmoothedLayer after;
     double before_time = 0, after_time = 0;  // s, by the law
 };
@@ -140,7 +141,9 @@ class Smoother {
     void smooth(Item& item) const {
         item.reason = item.plan.obstacle;
         if (!has_body(item)) return;
-        item.before_time = time_of(item, before(item));
+        item.before = from_place(item.plan.body.empty() ? item.plan.whole : item.plan.body,
+                                 item.start, speed_of(item));
+        item.before_time = time_of(item, item.before);
         if (!item.reason.empty()) return;
         SmoothOptions options = options_.smooth;
         options.start = item.start;
@@ -149,7 +152,7 @@ class Smoother {
             return path.role != Role::travel && path.role != Role::other;
         });
         if (!named) options.stages.order = options.stages.chains = false;
-        const double printed_before = printed_in(item, before(item));
+        const double printed_before = printed_in(item, item.before);
         const auto try_with = [&](const SmoothStages& stages) {
             options.stages = stages;
             item.after = smoothed(item.plan.body, options);
@@ -181,11 +184,6 @@ class Smoother {
 
     static double speed_of(const Item& item) { return usual_pace(item.plan.whole).speed; }
 
-    static Toolpath before(const Item& item) {
-        return from_place(item.plan.body.empty() ? item.plan.whole : item.plan.body, item.start,
-                          speed_of(item));
-    }
-
     double printed_in(const Item& item, const Toolpath& layer) const {
         return firmware_time(layer, options_.firmware, item.style);
     }
@@ -214,7 +212,7 @@ class Smoother {
 
     void write(Item& item, LayerPair& pair) {
         if (!has_body(item)) return write_as_it_was(item);
-        pair.before = before(item);
+        pair.before = std::move(item.before);
         pair.before_time = item.before_time;
         pair.after_time = item.after_time;
         if (!item.reason.empty()) {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "smooth/metrics.h"
-#include "travel_speed.h"
+#include "smooth/travel_kind.h"
 #include "vibration/piece.h"
 
 namespace bead::cli {

@@ -6,10 +6,12 @@
 
 namespace bead {
 
+inline constexpr double usual_travel_speed = 120;  // mm/s, of layers that do not say
+
 // How most of a layer's travel goes, by length: short wipes are slower.
 struct TravelPace {
-    double speed = 120;       // mm/s
-    double acceleration = 0;  // mm/s²; 0: the printer's usual
+    double speed = usual_travel_speed;  // mm/s
+    double acceleration = 0;            // mm/s²; 0: the printer's usual
     bool operator==(const TravelPace&) const = default;
 };
 TravelPace usual_pace(const Toolpath& layer);

@@ -6,9 +6,8 @@
 
 namespace bead {
 
-inline constexpr double soft_joints =
-    0.5;  // of its stiffness as a bar, that a stretch is counted with
-inline constexpr double end_cost = 1.5;  // mm of length that its ends cost
+inline constexpr double soft_joints = 0.5;  // of a bar's stiffness that a stretch is counted with
+inline constexpr double end_cost = 1.5;     // mm of length that its ends cost
 
 // Where a line crosses a bead.
 struct BeadCrossing {

@@ -17,7 +17,7 @@ enum class LineKind : std::uint8_t {
     tensile,      // along the first principal stress
     compressive,  // along the second
     brace,        // against buckling
-    patch,        // beside a line where it would break first
+    patch,        // so that it breaks later
 };
 inline constexpr std::array<std::string_view, 6> line_kind_names{"wall",        "pad",   "tensile",
                                                                  "compressive", "brace", "patch"};

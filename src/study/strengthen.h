@@ -1,6 +1,6 @@
 // The rest of the bead, spent where a test says: braces while the structure would buckle before it
-// breaks, patches at the hot spots while it would break before it buckles, tested again after each
-// handful.
+// breaks, patches that lower the highest stress while it would break before it buckles, tested
+// again after each handful.
 #pragma once
 #include <vector>
 
