@@ -16,6 +16,7 @@ using MatrixMap = Eigen::Map<const MatrixXd>;
 using Small = Eigen::SelfAdjointEigenSolver<MatrixXd>;
 
 constexpr double cancelled = 1e-4;     // of a square: what calls for a second orthogonalisation
+constexpr double well_apart = 1e-3;    // of a square, what is left of a vector beside the others
 constexpr double independent = 1e-10;  // of a vector, what must be orthogonal to the basis
 
 struct Block {
@@ -48,8 +49,9 @@ class Basis {
 
     // Of what is orthogonal to the basis the independent part, as a new block; how many columns.
     Index append(const Block& rest) {
-        const Index before = count_;
-        for (Index k = 0; k < rest.x.cols(); ++k) {
+        const Index before = count_, columns = rest.x.cols();
+        if (append_whole(rest)) return columns;
+        for (Index k = 0; k < columns; ++k) {
             Eigen::VectorXd x = rest.x.col(k), bx = rest.bx.col(k);
             const double whole = x.dot(bx);
             for (int pass = 0; pass < 2; ++pass) {
@@ -86,16 +88,40 @@ class Basis {
     }
 
     [[nodiscard]] std::vector<Mode> modes(const Small& small) const {
+        Index wanted = 0;
+        while (wanted < std::min<Index>(options_.count, count_) &&
+               small.eigenvalues()(count_ - 1 - wanted) > 0)
+            ++wanted;
+        const MatrixXd shapes =
+            v_.leftCols(count_) * small.eigenvectors().middleCols(count_ - wanted, wanted);
         std::vector<Mode> found;
-        for (Index k = count_; k-- > 0 && found.size() < std::size_t(options_.count);) {
-            if (!(small.eigenvalues()(k) > 0)) break;
-            const Eigen::VectorXd shape = v_.leftCols(count_) * small.eigenvectors().col(k);
-            found.push_back({small.eigenvalues()(k), {shape.begin(), shape.end()}});
-        }
+        for (Index k = wanted; k-- > 0;)
+            found.push_back({small.eigenvalues()(count_ - wanted + k),
+                             {shapes.col(k).begin(), shapes.col(k).end()}});
         return found;
     }
 
   private:
+    // All columns at once, by the Cholesky factor of their products; where they are well apart.
+    bool append_whole(const Block& rest) {
+        const Index columns = rest.x.cols(), rows = rest.x.rows();
+        MatrixXd products(columns, columns);
+        inner_products({rest.x.data(), rows, columns}, {rest.bx.data(), rows, columns},
+                       products.data());
+        const Eigen::VectorXd squares = products.diagonal();
+        if (!(squares.minCoeff() > 1e-280)) return false;
+        const Eigen::LLT<MatrixXd> factor(products);
+        if (factor.info() != Eigen::Success) return false;
+        const MatrixXd upper = factor.matrixU();
+        if ((upper.diagonal().array().square() < well_apart * squares.array()).any()) return false;
+        const MatrixXd inverse =
+            upper.triangularView<Eigen::Upper>().solve(MatrixXd::Identity(columns, columns));
+        v_.middleCols(count_, columns).noalias() = rest.x * inverse;
+        bv_.middleCols(count_, columns).noalias() = rest.bx * inverse;
+        count_ += columns;
+        return true;
+    }
+
     static Eigen::VectorXd squares(const Block& block) {
         return block.x.cwiseProduct(block.bx).colwise().sum();
     }

@@ -1,10 +1,12 @@
 #include "numeric/elimination.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 
 namespace bead {
 namespace {
@@ -20,18 +22,14 @@ struct Part {
     std::vector<int> points, elements;
 };
 
-struct Cut {
-    int axis = 0;
-    float at = 0;
-    std::size_t separator = std::numeric_limits<std::size_t>::max();
-};
-
 class Dissection {
   public:
     explicit Dissection(const ElementPattern& pattern)
-        : pattern_(pattern), side_(pattern.places.size(), taken) {}
+        : pattern_(pattern),
+          side_(pattern.places.size(), taken),
+          counted_(pattern.places.size(), 0) {}
 
-    // The fronts of the part, its root last.
+    // The fronts of the part, its root last. None of its points is on a side.
     int dissect(Part part, std::vector<Front>& fronts);
 
   private:
@@ -44,42 +42,64 @@ class Dissection {
     }
     [[nodiscard]] int longest_axis(const Part& part) const;
     [[nodiscard]] std::vector<float> candidates(const Part& part, int axis) const;
+    void cut(const Part& part, int axis);
     void divide(const Part& part, int axis, float at);
-    std::size_t separator_size(const Part& part);
+    std::size_t separator_size(const Part& part, int axis, float at);
     std::vector<int> take_separator(const Part& part);
     Part half(const Part& part, Side side) const;
 
     const ElementPattern& pattern_;
     std::vector<std::uint8_t> side_;
+    std::vector<int> counted_;  // the last count that a point was in
+    int counts_ = 0;
 };
 
 int Dissection::longest_axis(const Part& part) const {
+    std::array<float, 3> low, high;
+    low.fill(std::numeric_limits<float>::max());
+    high.fill(std::numeric_limits<float>::lowest());
+    for (const int point : part.points)
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const float at = pattern_.places[std::size_t(point)][axis];
+            low[axis] = std::min(low[axis], at);
+            high[axis] = std::max(high[axis], at);
+        }
     int longest = 0;
-    float most = -1;
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto [low, high] = std::ranges::minmax_element(
-            part.points, {}, [&](int point) { return coordinate(point, axis); });
-        const float extent = coordinate(*high, axis) - coordinate(*low, axis);
-        if (extent <= most) continue;
-        most = extent;
-        longest = axis;
-    }
+    for (int axis = 1; axis < 3; ++axis)
+        if (high[std::size_t(axis)] - low[std::size_t(axis)] >
+            high[std::size_t(longest)] - low[std::size_t(longest)])
+            longest = axis;
     return longest;
 }
 
-// Near the median; where the part is thin, a cut beside it is smaller.
+// The median first, and two places beside it.
 std::vector<float> Dissection::candidates(const Part& part, int axis) const {
     std::vector<float> at(part.points.size());
     std::ranges::transform(part.points, at.begin(),
                            [&](int point) { return coordinate(point, axis); });
-    std::vector<float> places;
-    for (const double share : {0.5, 0.42, 0.58}) {
-        if (!places.empty() && part.points.size() < small) break;
-        const auto middle = at.begin() + std::ptrdiff_t(share * double(at.size()));
-        std::nth_element(at.begin(), middle, at.end());
-        places.push_back(*middle);
+    const auto place = [&](double share) { return at.begin() + std::ptrdiff_t(share * double(at.size())); };
+    const auto middle = place(0.5), lower = place(0.42), upper = place(0.58);
+    std::nth_element(at.begin(), middle, at.end());
+    if (part.points.size() < small) return {*middle};
+    std::nth_element(at.begin(), lower, middle);
+    std::nth_element(middle + 1, upper, at.end());
+    return {*middle, *lower, *upper};
+}
+
+// Near the median; where the part is thin, a cut beside it is smaller. Divides the part.
+void Dissection::cut(const Part& part, int axis) {
+    const std::vector<float> places = candidates(part, axis);
+    divide(part, axis, places.front());
+    if (places.size() == 1) return;
+    float best = places.front();
+    std::size_t least = separator_size(part, axis, best);
+    for (const float at : std::span(places).subspan(1)) {
+        const std::size_t size = separator_size(part, axis, at);
+        if (size >= least) continue;
+        least = size;
+        best = at;
     }
-    return places;
+    if (best != places.front()) divide(part, axis, best);
 }
 
 void Dissection::divide(const Part& part, int axis, float at) {
@@ -87,12 +107,24 @@ void Dissection::divide(const Part& part, int axis, float at) {
         side_[std::size_t(point)] = coordinate(point, axis) < at ? near : far;
 }
 
-// Counts the far points of elements that the cut goes through, each once.
-std::size_t Dissection::separator_size(const Part& part) {
+// How many points a cut there would take: the far ones of elements that it goes through. The part
+// is divided, no matter where.
+std::size_t Dissection::separator_size(const Part& part, int axis, float at) {
+    ++counts_;
     std::size_t size = 0;
-    const std::vector<int> points = take_separator(part);
-    size = points.size();
-    for (const int point : points) side_[std::size_t(point)] = far;
+    for (const int element : part.elements) {
+        bool is_near = false, is_far = false;
+        for (const int point : points_of(element)) {
+            const bool before = coordinate(point, axis) < at;
+            is_near |= before && side_[std::size_t(point)] != taken;
+            is_far |= !before && side_[std::size_t(point)] != taken;
+        }
+        if (!is_near || !is_far) continue;
+        for (const int point : points_of(element))
+            if (coordinate(point, axis) >= at && side_[std::size_t(point)] != taken &&
+                std::exchange(counted_[std::size_t(point)], counts_) != counts_)
+                ++size;
+    }
     return size;
 }
 
@@ -116,6 +148,8 @@ std::vector<int> Dissection::take_separator(const Part& part) {
 
 Part Dissection::half(const Part& part, Side side) const {
     Part result;
+    result.points.reserve(part.points.size());
+    result.elements.reserve(part.elements.size());
     for (const int point : part.points)
         if (side_[std::size_t(point)] == side) result.points.push_back(point);
     for (const int element : part.elements)
@@ -131,15 +165,7 @@ int Dissection::dissect(Part part, std::vector<Front>& fronts) {
     Part halves[2];
     if (part.points.size() > leaf) {
         const int axis = longest_axis(part);
-        const std::vector<float> places = candidates(part, axis);
-        Cut best{axis, places.front()};
-        for (const float at : places) {
-            if (places.size() == 1) break;
-            divide(part, axis, at);
-            const std::size_t size = separator_size(part);
-            if (size < best.separator) best = {axis, at, size};
-        }
-        divide(part, best.axis, best.at);
+        cut(part, axis);
         root.own = take_separator(part);
         halves[0] = half(part, near);
         halves[1] = half(part, far);

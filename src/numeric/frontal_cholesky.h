@@ -8,28 +8,19 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "numeric/elimination.h"
+#include "numeric/frontal_factor.h"
 
 namespace bead {
-
-// Adds nothing, fills: the element's symmetric matrix, row by row; unknowns are ordered by point,
-// then by component.
-using ElementMatrix = std::function<void(std::size_t element, std::span<double> matrix)>;
 
 class FrontalCholesky {
   public:
     // `held`: unknowns that stay 0, one per unknown (unknowns_per_point * point + component).
     FrontalCholesky(EliminationTree tree, const ElementMatrix& matrix,
                     std::span<const std::uint8_t> held);
-    FrontalCholesky(FrontalCholesky&&) noexcept;
-    FrontalCholesky& operator=(FrontalCholesky&&) noexcept;
-    ~FrontalCholesky();
 
     // An unknown at which K is not positive definite to rounding; the factor is then useless.
     [[nodiscard]] std::optional<std::size_t> singular() const;
@@ -41,10 +32,7 @@ class FrontalCholesky {
                                             int columns = 1) const;
 
   private:
-    struct Panels;
-    template <std::ptrdiff_t width>
-    class Sweep;
-    std::unique_ptr<Panels> panels_;
+    FrontalFactor factor_;
 };
 
 }  // namespace bead

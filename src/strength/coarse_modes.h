@@ -27,6 +27,9 @@ class CoarseModes {
                                                  const PixelGrid& grid) const;
 
   private:
+    // `tolerance` of the lowest factor.
+    [[nodiscard]] Buckling within(double tolerance, std::size_t variant) const;
+
     std::optional<TestRig> rig_;
     std::unique_ptr<CoarseModes> coarser_;  // its own start, if that saves anything
 };
