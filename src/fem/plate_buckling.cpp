@@ -15,7 +15,7 @@
 namespace bead {
 namespace {
 
-constexpr int block = 3;  // start vectors
+constexpr int block = 8;  // start vectors, as many as a solver takes at once
 
 // Pixels and the nodes that they touch, numbered in their order.
 struct PlateNumbering {

@@ -19,7 +19,7 @@ namespace bead {
 struct StripeOptions {
     double grid = 0.5;       // mm, of the vertices that know the phase
     std::uint32_t seed = 0;  // of the start vector; other seeds shift the lines
-    int iterations = 15;     // inverse iterations
+    int iterations = 8;      // inverse iterations
     double shortest = 4;     // mm; shorter lines are left out
 };
 

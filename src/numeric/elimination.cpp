@@ -11,7 +11,7 @@
 namespace bead {
 namespace {
 
-constexpr std::size_t small = 200;  // points of a part that is cut in the middle without a choice
+constexpr std::size_t small = 1000; // points of a part that is cut in the middle without a choice
 constexpr std::size_t leaf = 20;    // points; fewer cost more in book-keeping than they save
 
 // Where a point is during the recursion: in the part being cut, on its far side, or in no part any

@@ -9,84 +9,93 @@ namespace bead {
 namespace {
 
 // `width` right sides at once, the values of an unknown side by side: each number of the factor is
-// read once for all of them. `b`: unknowns per point.
+// read once for all of them. The values lie in the order of elimination, so that a front's own are
+// together. `b`: unknowns per point.
 template <std::ptrdiff_t width, std::ptrdiff_t b>
 class Sweep {
   public:
     explicit Sweep(const FrontalFactor& factor) : factor_(factor) {
         std::size_t points = 0;
         for (const Front& front : factor.tree.fronts)
-            points = std::max(points, front.own.size() + front.border.size());
-        part_.resize(points * block);
+            points = std::max(points, front.border.size());
+        border_.resize(points * block);
+        values_.resize(factor.order.size() * block);
     }
 
     // `x`: `columns` of them, at most `width`, one after the other; in place.
     void solve(double* x, std::size_t rows, std::size_t columns) {
-        values_.assign(rows * std::size_t(width), 0.0);
-        for (std::size_t k = 0; k < columns; ++k)
-            for (std::size_t i = 0; i < rows; ++i)
-                if (factor_.held[i] == 0) values_[i * std::size_t(width) + k] = x[k * rows + i];
+        load(x, rows, columns);
         const std::size_t fronts = factor_.tree.fronts.size();
-        for (std::size_t f = 0; f < fronts; ++f) forward(f);
-        std::fill(x, x + rows * columns, 0.0);
-        for (std::size_t f = fronts; f-- > 0;) {
-            backward(f);
-            for (const int point : factor_.tree.fronts[f].own)
-                for (std::size_t c = std::size_t(point * b); c < std::size_t(point * b + b); ++c)
-                    for (std::size_t k = 0; k < columns; ++k)
-                        x[k * rows + c] = values_[c * std::size_t(width) + k];
+        double* own = values_.data();
+        const std::size_t* border = factor_.borders.data();
+        for (std::size_t f = 0; f < fronts; ++f) {
+            forward(factor_.panel(f), own, border);
+            own += factor_.tree.fronts[f].own.size() * block;
+            border += factor_.tree.fronts[f].border.size();
         }
+        for (std::size_t f = fronts; f-- > 0;) {
+            own -= factor_.tree.fronts[f].own.size() * block;
+            border -= factor_.tree.fronts[f].border.size();
+            backward(factor_.panel(f), own, border);
+        }
+        store(x, rows, columns);
     }
 
   private:
     static constexpr std::size_t block = width * b;
 
-    void gather(std::span<const int> points, double* to) const {
-        for (const int point : points) {
-            const double* const from = &values_[std::size_t(point) * block];
+    void load(const double* x, std::size_t rows, std::size_t columns) {
+        double* to = values_.data();
+        for (const std::size_t point : factor_.order)
+            for (std::size_t i = point * b; i < (point + 1) * b; ++i, to += width)
+                for (std::size_t k = 0; k < std::size_t(width); ++k)
+                    to[k] = k < columns && factor_.held[i] == 0 ? x[k * rows + i] : 0;
+    }
+    void store(double* x, std::size_t rows, std::size_t columns) const {
+        std::fill(x, x + rows * columns, 0.0);
+        const double* from = values_.data();
+        for (const std::size_t point : factor_.order)
+            for (std::size_t i = point * b; i < (point + 1) * b; ++i, from += width)
+                for (std::size_t k = 0; k < columns; ++k) x[k * rows + i] = from[k];
+    }
+
+    void gather(const std::size_t* places, std::size_t count) {
+        double* to = border_.data();
+        for (std::size_t p = 0; p < count; ++p, to += block) {
+            const double* const from = &values_[places[p] * block];
             for (std::size_t i = 0; i < block; ++i) to[i] = from[i];
-            to += block;
         }
     }
-    void scatter(std::span<const int> points, const double* from) {
-        for (const int point : points) {
-            double* const to = &values_[std::size_t(point) * block];
+    void scatter(const std::size_t* places, std::size_t count) {
+        const double* from = border_.data();
+        for (std::size_t p = 0; p < count; ++p, from += block) {
+            double* const to = &values_[places[p] * block];
             for (std::size_t i = 0; i < block; ++i) to[i] = from[i];
-            from += block;
         }
     }
 
-    void forward(std::size_t f) {
-        const Front& front = factor_.tree.fronts[f];
-        const DensePanel panel = factor_.panel(f);
+    void forward(const DensePanel& panel, double* own, const std::size_t* places) {
         if (panel.own == 0) return;
-        double *const own = part_.data(), *const border = own + panel.own * width;
-        gather(front.own, own);
-        gather(front.border, border);
+        const std::size_t count = std::size_t(panel.border / b);
+        gather(places, count);
         if constexpr (width == 1)
-            solve_one_forward(panel, own, border);
+            solve_one_forward(panel, own, border_.data());
         else
-            solve_forward(panel, own, border);
-        scatter(front.own, own);
-        scatter(front.border, border);
+            solve_forward(panel, own, border_.data());
+        scatter(places, count);
     }
 
-    void backward(std::size_t f) {
-        const Front& front = factor_.tree.fronts[f];
-        const DensePanel panel = factor_.panel(f);
+    void backward(const DensePanel& panel, double* own, const std::size_t* places) {
         if (panel.own == 0) return;
-        double *const own = part_.data(), *const border = own + panel.own * width;
-        gather(front.own, own);
-        gather(front.border, border);
+        gather(places, std::size_t(panel.border / b));
         if constexpr (width == 1)
-            solve_one_backward(panel, own, border);
+            solve_one_backward(panel, own, border_.data());
         else
-            solve_backward(panel, own, border);
-        scatter(front.own, own);
+            solve_backward(panel, own, border_.data());
     }
 
     const FrontalFactor& factor_;
-    std::vector<double> values_, part_;
+    std::vector<double> values_, border_;
 };
 
 }  // namespace

@@ -136,11 +136,22 @@ class Factorisation {
     std::vector<std::size_t> at_;      // rows of a remainder's points
 };
 
+// Where the points of each front are in the order of elimination.
+void find_places(FrontalFactor& factor) {
+    for (const Front& front : factor.tree.fronts)
+        for (const int point : front.own) factor.order.push_back(std::size_t(point));
+    std::vector<std::size_t> place(factor.tree.pattern.places.size());
+    for (std::size_t i = 0; i < factor.order.size(); ++i) place[factor.order[i]] = i;
+    for (const Front& front : factor.tree.fronts)
+        for (const int point : front.border) factor.borders.push_back(place[std::size_t(point)]);
+}
+
 }  // namespace
 
 FrontalFactor frontal_factor(EliminationTree tree, const ElementMatrix& matrix,
                              std::span<const std::uint8_t> held) {
-    FrontalFactor factor{std::move(tree), {held.begin(), held.end()}, nullptr, {}, {}};
+    FrontalFactor factor{std::move(tree), {held.begin(), held.end()}, nullptr, {}, {}, {}, {}};
+    find_places(factor);
     const auto block = std::size_t(factor.tree.pattern.unknowns_per_point);
     std::size_t end = 0;
     for (const Front& front : factor.tree.fronts) {

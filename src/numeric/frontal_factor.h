@@ -26,6 +26,8 @@ struct FrontalFactor {
     // after the other. What would lie above the diagonal is not set.
     std::unique_ptr<double[]> columns;
     std::vector<std::size_t> begin;       // of each front's columns, and where the last ends
+    std::vector<std::size_t> order;       // the points as they are eliminated
+    std::vector<std::size_t> borders;     // of one front after the other: places in that order
     std::optional<std::size_t> singular;  // an unknown at which K is not positive definite
 
     [[nodiscard]] DensePanel panel(std::size_t front) const {
