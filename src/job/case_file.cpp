@@ -260,7 +260,8 @@ const char* source_of(TomlReader& file) {
 }
 
 std::string pieces_words(const Region& part) {
-    if (part.empty()) return "leaves nothing of the part";
+    if (part.empty())
+        return "leaves nothing of the part; give an outline with area, and holes smaller than it";
     const auto less = [](const Polygon& a, const Polygon& b) { return area(a) < area(b); };
     const Polygon& least = *std::ranges::min_element(part, less);
     const Vec2 place = bounds(least.outer).centre();
