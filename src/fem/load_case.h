@@ -60,6 +60,7 @@ struct PrintHeat {
     double hotend = 0, hotend_first = 0, bed = 0;  // °C
 };
 
+// A bead counts as a rectangle of its width and height, whose section the printed one has.
 struct PrintWish {
     double bead_width = 0.6, layer_height = 0.6;  // mm
     double fill = 0.4;  // deposited volume / solid volume, walls and pads included

@@ -14,6 +14,7 @@
 #include "job/toml_reader.h"
 #include "mesh/load.h"
 #include "slice/slice.h"
+#include "toolpath/path.h"
 
 namespace bead {
 namespace {
@@ -109,9 +110,17 @@ std::optional<PrintHeat> read_heat(TomlReader& file, const std::string& name) {
 }
 
 PrintWish read_print(TomlReader& file, const std::string& name) {
+    constexpr std::string_view sections[] = {"rectangle", "stadium"};
     PrintWish p;
     p.bead_width = file.number("print.bead_width_mm", p.bead_width, widths);
     p.layer_height = file.number("print.layer_height_mm", p.layer_height, heights);
+    if (file.choice("print.section", 0, sections) == 1) {
+        if (p.bead_width < p.layer_height)
+            file.refuse("print.section",
+                        "= \"stadium\" needs beads at least as wide as high; give "
+                        "a wider bead_width_mm or a lower layer_height_mm");
+        p.bead_width = spacing({p.bead_width, p.layer_height});
+    }
     p.fill = file.number("print.fill", p.fill, fill_range);
     p.walls = file.integer("print.walls", p.walls, {.low = 0, .high = 100});
     p.heat = read_heat(file, name);

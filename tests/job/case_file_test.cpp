@@ -160,6 +160,24 @@ TEST(CaseFile, PassesOverPointsThatRepeat) {
               area(part("fill = 0.3", "fill = 0.3")));
 }
 
+// A stadium of 0.6 mm by 0.6 mm is a disc: 0.283 mm² in place of 0.36.
+TEST(CaseFile, TakesBeadsAsRectanglesOrStadiums) {
+    const auto section = [](const std::string& more) {
+        const PrintWish p =
+            std::get<LoadCase>(
+                parsed_case(changed("bead_width_mm = 0.5", "bead_width_mm = 0.6\n" + more), "x"))
+                .print;
+        return p.bead_width * p.layer_height;
+    };
+    EXPECT_NEAR(section(""), 0.36, 1e-12);
+    EXPECT_NEAR(section("section = \"rectangle\""), 0.36, 1e-12);
+    EXPECT_NEAR(section("section = \"stadium\""), pi * 0.09, 1e-12);
+    EXPECT_TRUE(says(complaint(changed("bead_width_mm = 0.5",
+                                       "section = \"stadium\"\n"
+                                       "bead_width_mm = 0.5")),
+                     "print.section = \"stadium\" needs beads at least as wide as high"));
+}
+
 // Held in one direction, the load still pulls in the other.
 TEST(CaseFile, TakesLoadsOnSupportsThatSlide) {
     std::string text = changed("to = [0, 10]",
