@@ -124,7 +124,7 @@ void write_picture(const ReinforceCall& options, const LoadCase& load_case,
 }
 
 double laid_share(const Candidate& design, const LoadCase& load_case) {
-    return deposited_area(design.layout, load_case.print.bead_width) / area(load_case.part);
+    return deposited_area(design.layout, load_case.print) / area(load_case.part);
 }
 
 bool weighs_as_asked(const Candidate& design, const LoadCase& load_case) {
@@ -223,7 +223,7 @@ Reinforced design_of(const ReinforceCall& options, const LoadCase& load_case,
     return designed;
 }
 
-Json layout_json(const Candidate& design, double width) {
+Json layout_json(const Candidate& design, const PrintWish& print) {
     Json json;
     for (std::size_t kind = 0; kind < line_kind_names.size(); ++kind) {
         const auto count = std::ranges::count_if(design.layout, [&](const LayoutLine& line) {
@@ -231,7 +231,7 @@ Json layout_json(const Candidate& design, double width) {
         });
         json[std::string(line_kind_names[kind])] = {
             {"lines", count},
-            {"area_mm2", deposited_area(design.layout, width, static_cast<LineKind>(kind))}};
+            {"area_mm2", deposited_area(design.layout, print, static_cast<LineKind>(kind))}};
     }
     return json;
 }
@@ -243,7 +243,8 @@ std::string sideways_words(const Strength& strength) {
 
 void reinforce(const ReinforceCall& options) {
     const Console console = console_of(options.output);
-    const LoadCase load_case = case_of(options.load_case);
+    LoadCase load_case = case_of(options.load_case);
+    if (options.mode == "thesis") load_case.print.crossing_flow = options.thesis.crossing_flow;
     if (const auto lost = unprinted_words(load_case))
         console.warn(options.load_case.file + ": " + *lost);
     const Machine machine = machine_of(options, load_case);
@@ -268,7 +269,7 @@ void reinforce(const ReinforceCall& options) {
     json["time_s"] = cost.motion.duration;
     json["filament_mm"] = cost.motion.extruded;
     json["fill"] = laid_share(best, load_case);
-    json["lines"] = layout_json(best, load_case.print.bead_width);
+    json["lines"] = layout_json(best, load_case.print);
     if (found.stiffness_bound > 0) json["stiffness_bound_n_mm"] = found.stiffness_bound;
     json["designs"] = Json::array();
     for (const Candidate& candidate : found.candidates)

@@ -65,6 +65,7 @@ struct PrintWish {
     double bead_width = 0.6, layer_height = 0.6;  // mm
     double fill = 0.4;  // deposited volume / solid volume, walls and pads included
     int walls = 1;
+    double crossing_flow = 1;         // share of its section with which a bead crosses another
     std::optional<PrintHeat> heat{};  // where the case names or tells it
 };
 
