@@ -45,11 +45,8 @@ std::vector<Polyline> lines_of(const Layout& layout, LineKind kind) {
     return lines;
 }
 
-// A bead that takes less than a disc of its height counts as an ellipse (path.h).
 Bead printed_bead(const PrintWish& print, double flow) {
-    const double height = print.layer_height, flat = flow * print.bead_width;
-    const double round = pi / 4 * height;
-    return {flat < round ? flat * 4 / pi : flat - round + height, height};
+    return bead_of(flow * print.bead_width * print.layer_height, print.layer_height);
 }
 
 Toolpath layer_of(const Layout& layout, const PrintWish& print) {
