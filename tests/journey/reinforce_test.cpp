@@ -114,6 +114,22 @@ TEST(Reinforce, CountsFilamentAsAsked) {
     EXPECT_NEAR(filament[0], filament[1], 1e-3 * filament[0]);
 }
 
+// Thinned crossings are read back as they were laid: the file weighs what the case asks for.
+TEST(Reinforce, LaysLessWhereBeadsCross) {
+    const Folder folder;
+    const std::string toml = folder.write("beam.toml", beam), gcode = folder / "a.gcode";
+    const test::Outcome run =
+        beadwork("reinforce " + toml + " --mode thesis --line-seeds even --crossing-flow 0.5 -o " +
+                 gcode + " --json " + (folder / "a.json"));
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_NEAR(parsed(folder / "a.json")["fill"], 0.45, 0.005 * 0.45);
+    const test::Outcome tested = beadwork("strength " + toml + " " + gcode +
+                                          " --no-baselines --json " + (folder / "b.json"));
+    ASSERT_EQ(tested.status, 0) << tested.err;
+    const double volume = parsed(folder / "b.json")["designs"][0]["volume_mm3"];
+    EXPECT_NEAR(volume, 0.45 * 40 * 12 * 6, 0.01 * 0.45 * 40 * 12 * 6);
+}
+
 // What is sintered is printed larger: the file's part by the factor, its test the designed part's.
 TEST(Reinforce, PrintsMetalLarger) {
     const Folder folder;
