@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <exception>
 #include <new>
@@ -32,6 +33,21 @@ std::string one_line(std::string text) {
 int fail(const std::string& message, bead::Fault fault) {
     fmt::print(stderr, "beadwork: {}\n", one_line(message));
     return static_cast<int>(fault);
+}
+
+// CLI11's ranges let nan through.
+const CLI::Validator finite(
+    [](const std::string& text) {
+        double value = 0;
+        const bool read = CLI::detail::lexical_cast(text, value);
+        return read && !std::isfinite(value) ? text + " is not finite; give a number" : "";
+    },
+    "");
+
+void expect_finite_numbers(CLI::App& app) {
+    for (CLI::Option* option : app.get_options())
+        if (option->get_type_name().find("FLOAT") != std::string::npos) option->check(finite);
+    for (CLI::App* command : app.get_subcommands({})) expect_finite_numbers(*command);
 }
 
 int run(CLI::App& app, int argc, char** argv) {
@@ -85,5 +101,6 @@ int main(int argc, char** argv) {
     bead::cli::add_printers(app);
     bead::cli::add_patterns(app);
     bead::cli::add_config(app);
+    expect_finite_numbers(app);
     return run(app, argc, argv);
 }

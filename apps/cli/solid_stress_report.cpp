@@ -1,6 +1,7 @@
 #include "solid_stress_report.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "fem/vtu.h"
 
@@ -34,6 +35,13 @@ VtuMesh mesh_of(const SolidAnswer& answer) {
     return mesh;
 }
 
+// Without what is the solver's rounding.
+Vec3 seen(Vec3 force, double total) {
+    constexpr double rounding = 1e-7;
+    const auto part = [&](double f) { return std::abs(f) < rounding * total ? 0.0 : f; };
+    return {part(force.x), part(force.y), part(force.z)};
+}
+
 }  // namespace
 
 void print_solid(const Console& console, const SolidCase& solid, const SolidAnswer& answer) {
@@ -42,8 +50,10 @@ void print_solid(const Console& console, const SolidCase& solid, const SolidAnsw
                 answer.grid.size, answer.nodes.size(), answer.iterations);
     console.say("  work of the loads  {:12.6g} N mm\n", answer.work);
     console.say("  moves at most      {:12.6g} mm\n", answer.largest);
+    double total = 0;
+    for (const BoxLoad& load : solid.loads) total += length(load.force);
     for (std::size_t i = 0; i < answer.reactions.size(); ++i) {
-        const Vec3 r = answer.reactions[i];
+        const Vec3 r = seen(answer.reactions[i], total);
         console.say("  support {} gives    ({:.5g}, {:.5g}, {:.5g}) N\n", i + 1, r.x, r.y, r.z);
     }
     if (answer.probes.empty()) return;
@@ -86,7 +96,8 @@ Json solid_json(const SolidAnswer& answer) {
 }
 
 void write_vtu(std::ostream& out, const SolidAnswer& answer) {
-    VtuField moved{"displacement_mm", 3, {}}, first{"s1_mpa", 1, {}}, last{"s3_mpa", 1, {}};
+    VtuField moved{"displacement_mm", 3, {}}, first{"s1_mpa", 1, {}}, second{"s2_mpa", 1, {}};
+    VtuField third{"s3_mpa", 1, {}};
     VtuField equivalent{"von_mises_mpa", 1, {}}, tensor{"stress_mpa", 6, {}};
     for (std::size_t k = 0; k < answer.nodes.size(); ++k) {
         const Vec3 u = answer.displacement[k];
@@ -96,10 +107,11 @@ void write_vtu(std::ostream& out, const SolidAnswer& answer) {
         tensor.values.insert(tensor.values.end(), {float(t.xx), float(t.yy), float(t.zz),
                                                    float(t.xy), float(t.yz), float(t.zx)});
         first.values.push_back(float(s[0]));
-        last.values.push_back(float(s[2]));
+        second.values.push_back(float(s[1]));
+        third.values.push_back(float(s[2]));
         equivalent.values.push_back(float(von_mises(t)));
     }
-    write_vtu(out, mesh_of(answer), {moved, tensor, first, last, equivalent});
+    write_vtu(out, mesh_of(answer), {moved, tensor, first, second, third, equivalent});
 }
 
 }  // namespace bead::cli

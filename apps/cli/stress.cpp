@@ -1,12 +1,14 @@
 // beadwork stress: displacements and stresses of a part under load, by finite elements.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
 #include <memory>
 
 #include "command.h"
 #include "core/error.h"
 #include "core/output_file.h"
+#include "geom/polygon.h"
 #include "job/case_file.h"
 #include "options.h"
 #include "solid_stress_report.h"
@@ -63,8 +65,23 @@ std::vector<SolidBuckling> buckling_of(const LoadCase& load_case) {
     return found;
 }
 
+// Refused before the machine runs out of memory.
+void expect_tractable(const StressCall& options, double elements, double bytes_per_element) {
+    constexpr double most_bytes = 16e9;
+    if (elements * bytes_per_element <= most_bytes) return;
+    throw Error(
+        fmt::format("{}: --h {:g}: {:.3g} million elements, some {:.3g} GB; give larger ones",
+                    options.file, options.size, elements / 1e6,
+                    elements * bytes_per_element * 1e-9),
+        Fault::infeasible);
+}
+
 void stress_plane(const LoadCase& load_case, const StressCall& options) {
     const Console console = console_of(options.output);
+    const double squares = area(load_case.part) / (options.size * options.size);
+    if (options.size > 0 && options.elements == "triangles")
+        expect_tractable(options, 2.3 * squares, 6000);
+    if (options.size > 0) expect_tractable(options, squares, 300);
     const SheetOptions how{
         .size = options.size, .elements = element_names.at(options.elements), .most = options.most};
     const Sheet sheet = solved_sheet(load_case, how);
@@ -88,6 +105,16 @@ void stress_solid(const SolidCase& solid, const StressCall& options) {
     if (!options.picture.empty())
         throw Error("--picture: draws cases of the plane; look at -o OUT.vtu instead",
                     Fault::usage);
+    for (const auto& [is_given, name] : {std::pair{options.buckling, "--buckling"},
+                                         std::pair{options.elements != "auto", "--elements"}})
+        if (is_given)
+            throw Error(fmt::format("{}: is for cases of the plane; this one is of a mesh and "
+                                    "boxes, leave it out",
+                                    name),
+                        Fault::usage);
+    const Vec3 box = bounds(solid.mesh).size();
+    if (options.size > 0)
+        expect_tractable(options, box.x * box.y * box.z / std::pow(options.size, 3), 300);
     const Console console = console_of(options.output);
     const SolidAnswer answer = solved_solid(solid, {.size = options.size, .most = options.most});
     if (answer.failure) throw Error(options.file + ": " + *answer.failure);

@@ -110,14 +110,15 @@ std::vector<float> floats(const std::vector<PlaneTensor>& stress, double (*value
 void append_fields(const SheetAnswer& answer, const std::string& ending,
                    std::vector<VtuField>& fields) {
     VtuField moved{"displacement_mm" + ending, 3, {}}, first{"s1_direction" + ending, 3, {}};
-    VtuField tensor{"stress_mpa" + ending, 3, {}};
+    VtuField tensor{"stress_mpa" + ending, 6, {}};
     for (std::size_t n = 0; n < answer.stress.size(); ++n) {
         const PlaneTensor& t = answer.stress[n];
         const Vec2 d = unit(principal(t).angle);
         moved.values.insert(moved.values.end(), {float(answer.displacement[2 * n]),
                                                  float(answer.displacement[2 * n + 1]), 0.0F});
         first.values.insert(first.values.end(), {float(d.x), float(d.y), 0.0F});
-        tensor.values.insert(tensor.values.end(), {float(t.xx), float(t.yy), float(t.xy)});
+        tensor.values.insert(tensor.values.end(),
+                             {float(t.xx), float(t.yy), 0.0F, float(t.xy), 0.0F, 0.0F});
     }
     fields.push_back(std::move(moved));
     fields.push_back(std::move(tensor));

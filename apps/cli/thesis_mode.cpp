@@ -22,6 +22,12 @@ void declare(CLI::App& command, ThesisModeOptions& options) {
                     "thesis mode: beads laid beside a line on either side, at most")
         ->check(CLI::Range(0, 20))
         ->capture_default_str();
+    command
+        .add_option("--crossing-flow", options.crossing_flow,
+                    "thesis mode: share of its plastic that a bead in compression has within a "
+                    "bead's width of where it crosses one in tension")
+        ->check(CLI::Range(0.1, 1.0))
+        ->capture_default_str();
 }
 
 Reinforced thesis_design(const LoadCase& load_case, const ThesisModeOptions& options,

@@ -9,6 +9,7 @@ namespace bead::cli {
 struct ThesisModeOptions {
     std::string seeds = "edges";
     ThesisOptions lines;
+    double crossing_flow = 1;
 };
 void declare(CLI::App& command, ThesisModeOptions& options);
 

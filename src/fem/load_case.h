@@ -60,10 +60,12 @@ struct PrintHeat {
     double hotend = 0, hotend_first = 0, bed = 0;  // °C
 };
 
+// A bead counts as a rectangle of its width and height, whose section the printed one has.
 struct PrintWish {
     double bead_width = 0.6, layer_height = 0.6;  // mm
     double fill = 0.4;  // deposited volume / solid volume, walls and pads included
     int walls = 1;
+    double crossing_flow = 1;         // share of its section with which a bead crosses another
     std::optional<PrintHeat> heat{};  // where the case names or tells it
 };
 

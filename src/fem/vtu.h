@@ -11,7 +11,7 @@ namespace bead {
 
 struct VtuField {
     std::string name;
-    int components = 1;  // per point
+    int components = 1;  // per point; 6: a symmetric tensor, xx yy zz xy yz zx
     std::vector<float> values;
 };
 

@@ -17,13 +17,6 @@ constexpr double usual_height = 0.2;  // mm
 
 Vec3 place_of(const Position& p) { return {p[axis_x], p[axis_y], p[axis_z]}; }
 
-// The width of a stadium of this height and cross-section; the inverse of section().
-double width_of(double area, double height) {
-    const double round = pi / 4 * height * height;
-    if (area < round) return area / (pi / 4 * height);
-    return (area - round) / height + height;
-}
-
 bool goes_on(const Path& path, const Path& next) {
     const auto is_wall = [](Role role) { return role == Role::outer_wall || role == Role::wall; };
     return is_wall(path.role) && is_wall(next.role) &&
@@ -283,8 +276,7 @@ class LayerPlanner::Reading {
 
     void close() {
         if (open_.points.size() > 1) {
-            if (open_.role != Role::travel)
-                open_.bead.width = width_of(amount_ / way_, open_.bead.height);
+            if (open_.role != Role::travel) open_.bead = bead_of(amount_ / way_, open_.bead.height);
             plan_.whole.push_back(std::move(open_));
         }
         open_ = {};

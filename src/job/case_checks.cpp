@@ -57,14 +57,16 @@ void check_stretch(TomlReader& file, const std::string& key, const Region& part,
                    const Stretch& stretch) {
     if (stretch_lines(part, stretch)) return;
     if (stretch.arc)
-        file.refuse(key + ".on", "has no boundary of the part on it between its angles");
+        file.refuse(key + ".on",
+                    "has no boundary of the part on it between its angles; give "
+                    "the circle and angles of an arc of the outline or a hole");
     for (const auto& [end, place] :
          {std::pair{".from", stretch.from}, std::pair{".to", stretch.to}})
         if (const double far = boundary_distance(part, place); far > boundary_tolerance)
             file.refuse(key + end, fmt::format("= [{:g}, {:g}] is not on the boundary, which is "
-                                               "{:.3g} mm away",
+                                               "{:.3g} mm away; move it there",
                                                place.x, place.y, far));
-    file.refuse(key, "goes from one loop of the boundary to another");
+    file.refuse(key, "goes from one loop of the boundary to another; give both ends on one");
 }
 
 double pull(const Region& part, const Load& load) {
@@ -78,7 +80,7 @@ double pull(const Region& part, const Load& load) {
 
 void check_load(TomlReader& file, const std::string& key, const Region& part, const Load& load) {
     check_stretch(file, key, part, load.on);
-    if (length(load.force) == 0) file.refuse(key + ".force_n", "is no force");
+    if (length(load.force) == 0) file.refuse(key + ".force_n", "is no force; say how many newtons");
     if (!load.on.arc && distance(load.on.from, load.on.to) < 1e-6)
         file.refuse(key,
                     "pulls at a single point, where the displacement is infinite; give it a "
@@ -86,10 +88,13 @@ void check_load(TomlReader& file, const std::string& key, const Region& part, co
     const auto spans = stretch_spans(part, load.on);
     const double round = measured_loops(part)[spans->front().loop].length;
     if (load.move > round / 2)
-        file.refuse(key + ".move_mm",
-                    fmt::format("goes further than half-way round, {:.4g} mm", round / 2));
+        file.refuse(
+            key + ".move_mm",
+            fmt::format("goes further than half-way round, {:.4g} mm; give less", round / 2));
     if (pull(part, load) < 1e-9)
-        file.refuse(key, "presses on the empty side: the force points away from its whole arc");
+        file.refuse(key,
+                    "presses on the empty side: the force points away from its whole arc; turn one "
+                    "of them round");
 }
 
 // Rigid motions are two shifts and a turn; what is held must leave none of them free. The points'
@@ -131,7 +136,40 @@ void check_held(TomlReader& file, const std::string& key, const LoadCase& load_c
         file.refuse(key, "lets the part turn about a point; hold it in a second place");
 }
 
+// Whether the supports hold every point of the load's stretch in every direction it pulls in.
+bool held_everywhere(const LoadCase& load_case, const Situation& situation, const Load& load) {
+    constexpr int samples = 64;
+    const std::vector<MeasuredLoop> loops = measured_loops(load_case.part);
+    const auto is_held = [&](std::size_t loop, double at, bool Support::*direction) {
+        return std::ranges::any_of(situation.supports, [&](const Support& support) {
+            const auto spans = stretch_spans(load_case.part, support.on);
+            return support.*direction && std::ranges::any_of(*spans, [&](const BoundarySpan& s) {
+                       const double length = loops[loop].length;
+                       const double once = s.from + std::fmod(at - s.from + 2 * length, length);
+                       return s.loop == loop && once <= s.to;
+                   });
+        });
+    };
+    const bool x = load.force.x != 0 || load.turn > 0, y = load.force.y != 0 || load.turn > 0;
+    const auto spans = stretch_spans(load_case.part, load.on);
+    return std::ranges::all_of(*spans, [&](const BoundarySpan& span) {
+        for (int i = 0; i < samples; ++i) {
+            const double at = std::lerp(span.from, span.to, (i + 0.5) / samples);
+            if (x && !is_held(span.loop, at, &Support::x)) return false;
+            if (y && !is_held(span.loop, at, &Support::y)) return false;
+        }
+        return true;
+    });
+}
+
 }  // namespace
+
+bool is_flat(const Polyline& loop) {
+    const Vec2 a = loop.front();
+    const Vec2 b = *std::ranges::max_element(loop, {}, [&](Vec2 p) { return distance(a, p); });
+    return std::ranges::all_of(
+        loop, [&](Vec2 p) { return std::abs(cross(p - a, b - a)) <= 1e-6 * distance(a, b); });
+}
 
 std::optional<Vec2> self_crossing(const Polyline& loop) {
     std::vector<Side> sides;
@@ -169,12 +207,16 @@ void check_boundary(TomlReader& file, const LoadCase& load_case) {
         for (std::size_t i = 0; i < situation.loads.size(); ++i)
             check_load(file, key("load", i), load_case.part, situation.loads[i]);
         check_held(file, where + "support", load_case, situation);
+        for (std::size_t i = 0; i < situation.loads.size(); ++i)
+            if (held_everywhere(load_case, situation, situation.loads[i]))
+                file.refuse(key("load", i),
+                            "pulls only where supports hold the part; move it or them");
     }
     for (std::size_t i = 0; i < load_case.probes.size(); ++i) {
         const Vec2 p = load_case.probes[i];
         if (contains(load_case.part, p)) continue;
         if (boundary_distance(load_case.part, p) > boundary_tolerance)
-            file.refuse(fmt::format("probe[{}].at", i), "lies outside the part");
+            file.refuse(fmt::format("probe[{}].at", i), "lies outside the part; move it");
     }
 }
 
@@ -185,15 +227,17 @@ void check_boxes(TomlReader& file, const SolidCase& solid) {
     const auto check = [&](const Box3& box, const std::string& key) {
         if (box.low.x > part.high.x || box.high.x < part.low.x || box.low.y > part.high.y ||
             box.high.y < part.low.y || box.low.z > part.high.z || box.high.z < part.low.z)
-            file.refuse(key + ".box", "does not touch the part");
+            file.refuse(key, "does not touch the part; move it");
     };
     for (std::size_t i = 0; i < solid.supports.size(); ++i)
-        check(solid.supports[i].box, fmt::format("support[{}]", i));
+        check(solid.supports[i].box, fmt::format("support[{}].box", i));
     for (std::size_t i = 0; i < solid.loads.size(); ++i) {
-        check(solid.loads[i].box, fmt::format("load[{}]", i));
+        check(solid.loads[i].box, fmt::format("load[{}].box", i));
         if (length(solid.loads[i].force) == 0)
-            file.refuse(fmt::format("load[{}].force_n", i), "is no force");
+            file.refuse(fmt::format("load[{}].force_n", i), "is no force; say how many newtons");
     }
+    for (std::size_t i = 0; i < solid.probes.size(); ++i)
+        check({solid.probes[i], solid.probes[i]}, fmt::format("probe[{}].at", i));
 }
 
 }  // namespace bead

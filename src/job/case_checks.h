@@ -9,10 +9,14 @@
 
 namespace bead {
 
+// All points lie on one line, to a nanometre.
+bool is_flat(const Polyline& loop);
+
 // Where two sides of the loop cross or touch that are not neighbours.
 std::optional<Vec2> self_crossing(const Polyline& loop);
 
-// Loads and supports lie on the boundary, something pulls, the supports hold the part.
+// Loads and supports lie on the boundary, something pulls, the supports hold the part but not all
+// that is pulled at.
 void check_boundary(TomlReader& file, const LoadCase& load_case);
 void check_boxes(TomlReader& file, const SolidCase& solid);
 

@@ -14,6 +14,7 @@
 #include "job/toml_reader.h"
 #include "mesh/load.h"
 #include "slice/slice.h"
+#include "toolpath/path.h"
 
 namespace bead {
 namespace {
@@ -21,15 +22,28 @@ namespace {
 constexpr double flatness = 0.002;  // mm, of the polygons that stand for circles
 constexpr double radian = pi / 180;
 constexpr double farthest = 1e5;  // mm
+constexpr Range places{.low = -farthest, .high = farthest};
+constexpr Range widths{.low = 0.01, .high = 1000}, heights{.low = 0.01, .high = 1000};  // mm
 constexpr Range fill_range{.low = 0, .high = 1, .open_low = true};
 
 Vec2 point(std::array<double, 2> xy) { return {xy[0], xy[1]}; }
 
-Polyline line(const std::vector<std::array<double, 2>>& pairs) {
-    Polyline points;
+// A polygon of the file; points that repeat the one before, and a last one that repeats the first,
+// go.
+Polyline loop_of(TomlReader& file, const std::string& key,
+                 const std::vector<std::array<double, 2>>& pairs) {
+    Polyline loop;
     for (const std::array<double, 2>& pair : pairs)
-        if (points.empty() || points.back() != point(pair)) points.push_back(point(pair));
-    return points;
+        if (loop.empty() || loop.back() != point(pair)) loop.push_back(point(pair));
+    if (loop.size() > 1 && loop.front() == loop.back()) loop.pop_back();
+    if (loop.size() < 3) file.refuse(key, "needs at least 3 different points");
+    if (is_flat(loop)) file.refuse(key, "has no area; its points lie on one line");
+    if (const auto place = self_crossing(loop))
+        file.refuse(key,
+                    fmt::format("crosses itself at ({:.4g}, {:.4g}); give its points in order, "
+                                "once round",
+                                place->x, place->y));
+    return loop;
 }
 
 Polyline circle_loop(const Circle& circle) {
@@ -64,11 +78,11 @@ SolidMaterial read_material(TomlReader& file, const std::string& name) {
     const std::string named = material_name(file, name);
     SolidMaterial m;
     if (!named.empty()) m = named_material(file, load_solid_material, named);
-    m.young = file.number("material.young_mpa", m.young, positive);
+    m.young = file.number("material.young_mpa", m.young, solid_mpa);
     m.poisson = file.number("material.poisson", m.poisson, {.low = 0, .high = 0.49});
-    m.tensile = file.number("material.tensile_mpa", m.tensile, positive);
-    m.compressive = file.number("material.compressive_mpa", m.compressive, positive);
-    m.density = file.number("material.density_g_cm3", m.density, positive);
+    m.tensile = file.number("material.tensile_mpa", m.tensile, solid_mpa);
+    m.compressive = file.number("material.compressive_mpa", m.compressive, solid_mpa);
+    m.density = file.number("material.density_g_cm3", m.density, solid_density);
     constexpr Range scales{.low = 0.5, .high = 2};
     m.green_plane = file.number("material.green_scale_plane", m.green_plane, scales);
     m.green_height = file.number("material.green_scale_height", m.green_height, scales);
@@ -96,9 +110,17 @@ std::optional<PrintHeat> read_heat(TomlReader& file, const std::string& name) {
 }
 
 PrintWish read_print(TomlReader& file, const std::string& name) {
+    constexpr std::string_view sections[] = {"rectangle", "stadium"};
     PrintWish p;
-    p.bead_width = file.number("print.bead_width_mm", p.bead_width, positive);
-    p.layer_height = file.number("print.layer_height_mm", p.layer_height, positive);
+    p.bead_width = file.number("print.bead_width_mm", p.bead_width, widths);
+    p.layer_height = file.number("print.layer_height_mm", p.layer_height, heights);
+    if (file.choice("print.section", 0, sections) == 1) {
+        if (p.bead_width < p.layer_height)
+            file.refuse("print.section",
+                        "= \"stadium\" needs beads at least as wide as high; give "
+                        "a wider bead_width_mm or a lower layer_height_mm");
+        p.bead_width = spacing({p.bead_width, p.layer_height});
+    }
     p.fill = file.number("print.fill", p.fill, fill_range);
     p.walls = file.integer("print.walls", p.walls, {.low = 0, .high = 100});
     p.heat = read_heat(file, name);
@@ -108,7 +130,7 @@ PrintWish read_print(TomlReader& file, const std::string& name) {
 Circle read_circle(TomlReader& file, const std::string& key) {
     Circle circle;
     if (!file.place_of(key + ".center")) file.refuse(key, "has no center = [x, y]");
-    circle.centre = point(file.numbers<2>(key + ".center", {}, {-farthest, farthest}));
+    circle.centre = point(file.numbers<2>(key + ".center", {}, places));
     circle.radius = file.number(key + ".radius", 0, {0, farthest, true});
     if (circle.radius == 0) file.refuse(key, "has no radius");
     return circle;
@@ -130,8 +152,8 @@ Stretch read_stretch(TomlReader& file, const std::string& key) {
     for (const char* end : {".from", ".to"})
         if (!file.place_of(key + end))
             file.refuse(key, fmt::format("has no {}; give from and to, or on", end + 1));
-    stretch.from = point(file.numbers<2>(key + ".from", {}, {-farthest, farthest}));
-    stretch.to = point(file.numbers<2>(key + ".to", {}, {-farthest, farthest}));
+    stretch.from = point(file.numbers<2>(key + ".from", {}, places));
+    stretch.to = point(file.numbers<2>(key + ".to", {}, places));
     return stretch;
 }
 
@@ -204,17 +226,6 @@ Region section_of(TomlReader& file, const Mesh& mesh, double& thickness) {
     return middle;
 }
 
-Polyline read_outline(TomlReader& file) {
-    Polyline outline = line(file.pairs("outline"));
-    if (!outline.empty() && outline.size() > 1 && outline.front() == outline.back())
-        outline.pop_back();
-    if (outline.size() < 3) file.refuse("outline", "needs at least 3 points");
-    if (const auto place = self_crossing(outline))
-        file.refuse("outline",
-                    fmt::format("crosses itself at ({:.4g}, {:.4g})", place->x, place->y));
-    return outline;
-}
-
 Region read_part(TomlReader& file, const std::string& name, double& thickness) {
     const std::string svg = file.text("outline_svg", ""), model = file.text("model", "");
     const int ways =
@@ -227,22 +238,21 @@ Region read_part(TomlReader& file, const std::string& name, double& thickness) {
         const DataFile text = file_on_disk("outline", beside(name, svg));
         return outline_of_svg(text.text, text.place);
     }
-    return region_of({read_outline(file)}, FillRule::even_odd);
+    return region_of({loop_of(file, "outline", file.pairs("outline", places))}, FillRule::even_odd);
 }
 
 void cut_holes(TomlReader& file, LoadCase& result) {
     const auto cut = [&](const Polyline& loop, const std::string& key) {
         const Region hole = region_of({loop}, FillRule::even_odd);
-        if (area(intersection(result.part, hole)) < 1e-6) file.refuse(key, "lies outside the part");
+        if (area(hole) < 1e-6) file.refuse(key, "is too small to be a hole; leave it out");
+        if (area(intersection(result.part, hole)) < 1e-6)
+            file.refuse(key, "lies outside the part; move it or leave it out");
         result.part = difference(result.part, hole);
     };
-    const auto holes = file.pair_lists("holes");
+    const auto holes = file.pair_lists("holes", places);
     for (std::size_t i = 0; i < holes.size(); ++i) {
         const std::string key = fmt::format("holes[{}]", i);
-        if (holes[i].size() < 3) file.refuse(key, "needs at least 3 points");
-        if (const auto place = self_crossing(line(holes[i])))
-            file.refuse(key, fmt::format("crosses itself at ({:.4g}, {:.4g})", place->x, place->y));
-        cut(line(holes[i]), key);
+        cut(loop_of(file, key, holes[i]), key);
     }
     const std::size_t circles = file.tables("circles");
     for (std::size_t i = 0; i < circles; ++i) {
@@ -259,7 +269,8 @@ const char* source_of(TomlReader& file) {
 }
 
 std::string pieces_words(const Region& part) {
-    if (part.empty()) return "leaves nothing of the part";
+    if (part.empty())
+        return "leaves nothing of the part; give an outline with area, and holes smaller than it";
     const auto less = [](const Polygon& a, const Polygon& b) { return area(a) < area(b); };
     const Polygon& least = *std::ranges::min_element(part, less);
     const Vec2 place = bounds(least.outer).centre();
@@ -283,8 +294,9 @@ LoadCase plane_case(TomlReader& file, const std::string& name) {
     result.print = read_print(file, name);
     result.situations = read_situations(file);
     for (std::size_t i = 0; i < file.tables("probe"); ++i) {
-        const std::string key = fmt::format("probe[{}].at", i);
-        result.probes.push_back(point(file.numbers<2>(key, {}, {-farthest, farthest})));
+        const std::string key = fmt::format("probe[{}]", i);
+        if (!file.place_of(key + ".at")) file.refuse(key, "has no at = [x, y]");
+        result.probes.push_back(point(file.numbers<2>(key + ".at", {}, places)));
     }
     const bool several = file.tables("case") > 0;
     if (several && (file.tables("load") > 0 || file.tables("support") > 0))
@@ -297,7 +309,7 @@ LoadCase plane_case(TomlReader& file, const std::string& name) {
 }
 
 Box3 read_box(TomlReader& file, const std::string& key) {
-    const auto corners = file.number_lists(key, 2, 3);
+    const auto corners = file.number_lists(key, 2, 3, places);
     Box3 box;
     for (const std::vector<double>& corner : corners)
         box.include({corner[0], corner[1], corner[2]});
@@ -326,7 +338,9 @@ SolidCase solid_case(TomlReader& file, const std::string& name) {
         result.loads.push_back({read_box(file, key + ".box"), {force[0], force[1], force[2]}});
     }
     for (std::size_t i = 0; i < file.tables("probe"); ++i) {
-        const auto at = file.numbers<3>(fmt::format("probe[{}].at", i), {}, {-farthest, farthest});
+        const std::string key = fmt::format("probe[{}]", i);
+        if (!file.place_of(key + ".at")) file.refuse(key, "has no at = [x, y, z]");
+        const auto at = file.numbers<3>(key + ".at", {}, places);
         result.probes.push_back({at[0], at[1], at[2]});
     }
     read_print(file, name);

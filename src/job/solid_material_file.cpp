@@ -20,11 +20,11 @@ SolidMaterial load_solid_material(const std::string& name_or_file) {
                     ": says nothing of strength; add young_mpa, poisson, tensile_mpa and "
                     "compressive_mpa");
     SolidMaterial m;
-    m.young = file.number("young_mpa", m.young, positive);
+    m.young = file.number("young_mpa", m.young, solid_mpa);
     m.poisson = file.number("poisson", m.poisson, {.low = 0, .high = 0.49});
-    m.tensile = file.number("tensile_mpa", m.tensile, positive);
-    m.compressive = file.number("compressive_mpa", m.tensile, positive);
-    m.density = file.number("density_g_cm3", m.density, positive);
+    m.tensile = file.number("tensile_mpa", m.tensile, solid_mpa);
+    m.compressive = file.number("compressive_mpa", m.tensile, solid_mpa);
+    m.density = file.number("density_g_cm3", m.density, solid_density);
     m.green_plane = file.number("green_scale_plane", m.green_plane, green_scales);
     m.green_height = file.number("green_scale_height", m.green_height, green_scales);
     return m;

@@ -5,8 +5,13 @@
 #include <string>
 
 #include "fem/load_case.h"
+#include "job/toml_reader.h"
 
 namespace bead {
+
+// What solids there are lie in, from foams to diamond and tungsten.
+inline constexpr Range solid_mpa{.low = 1e-3, .high = 1e7};
+inline constexpr Range solid_density{.low = 1e-3, .high = 30};  // g/cm³
 
 // Throws Error for an unknown name, and for a material of which the strength is not known.
 SolidMaterial load_solid_material(const std::string& name_or_file);

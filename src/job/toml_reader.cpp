@@ -37,7 +37,8 @@ struct TomlReader::Document {
     [[nodiscard]] const toml::array& array(const toml::node& node, std::string_view key,
                                            std::string_view of) const;
     [[nodiscard]] std::vector<std::array<double, 2>> pairs(const toml::node& node,
-                                                           std::string_view key) const;
+                                                           std::string_view key,
+                                                           const Range& range) const;
 };
 
 namespace {
@@ -155,34 +156,36 @@ const toml::array& TomlReader::Document::array(const toml::node& node, std::stri
 }
 
 std::vector<std::array<double, 2>> TomlReader::Document::pairs(const toml::node& node,
-                                                               std::string_view key) const {
+                                                               std::string_view key,
+                                                               const Range& range) const {
     std::vector<std::array<double, 2>> values;
     for (const toml::node& item : array(node, key, "points [x, y]")) {
         const std::string name = fmt::format("{}[{}]", key, values.size());
         const toml::array& pair = array(item, name, "2 numbers, x and y");
         if (pair.size() != 2) fail(item, name, "must be an array of 2 numbers, x and y");
-        values.push_back({checked(*pair.get(0), name, {}), checked(*pair.get(1), name, {})});
+        values.push_back({checked(*pair.get(0), name, range), checked(*pair.get(1), name, range)});
     }
     return values;
 }
 
-std::vector<std::array<double, 2>> TomlReader::pairs(std::string_view key) {
+std::vector<std::array<double, 2>> TomlReader::pairs(std::string_view key, const Range& range) {
     const toml::node* node = document_->find(key);
     if (node == nullptr) return {};
-    return document_->pairs(*node, key);
+    return document_->pairs(*node, key, range);
 }
 
-std::vector<std::vector<std::array<double, 2>>> TomlReader::pair_lists(std::string_view key) {
+std::vector<std::vector<std::array<double, 2>>> TomlReader::pair_lists(std::string_view key,
+                                                                       const Range& range) {
     const toml::node* node = document_->find(key);
     if (node == nullptr) return {};
     std::vector<std::vector<std::array<double, 2>>> lists;
     for (const toml::node& item : document_->array(*node, key, "polygons"))
-        lists.push_back(document_->pairs(item, fmt::format("{}[{}]", key, lists.size())));
+        lists.push_back(document_->pairs(item, fmt::format("{}[{}]", key, lists.size()), range));
     return lists;
 }
 
 std::vector<std::vector<double>> TomlReader::number_lists(std::string_view key, std::size_t lists,
-                                                          std::size_t numbers) {
+                                                          std::size_t numbers, const Range& range) {
     const toml::node* node = document_->find(key);
     if (node == nullptr) return {};
     const std::string wanted = fmt::format("must be {} arrays of {} numbers", lists, numbers);
@@ -193,7 +196,7 @@ std::vector<std::vector<double>> TomlReader::number_lists(std::string_view key, 
             document_->fail(item, key, wanted);
         result.emplace_back();
         for (const toml::node& value : *item.as_array())
-            result.back().push_back(document_->checked(value, key, {}));
+            result.back().push_back(document_->checked(value, key, range));
     }
     return result;
 }

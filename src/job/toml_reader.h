@@ -49,11 +49,12 @@ class TomlReader {
         return fallback;
     }
     // Arrays of [x, y], and arrays of such arrays.
-    std::vector<std::array<double, 2>> pairs(std::string_view key);
-    std::vector<std::vector<std::array<double, 2>>> pair_lists(std::string_view key);
+    std::vector<std::array<double, 2>> pairs(std::string_view key, const Range& range = {});
+    std::vector<std::vector<std::array<double, 2>>> pair_lists(std::string_view key,
+                                                               const Range& range = {});
     // Exactly as many arrays of exactly as many numbers.
     std::vector<std::vector<double>> number_lists(std::string_view key, std::size_t lists,
-                                                  std::size_t numbers);
+                                                  std::size_t numbers, const Range& range = {});
     // How many tables [[key]] there are; their keys are "key[0].name", "key[1].name" …
     std::size_t tables(std::string_view key);
     // Throws an Error that names the place of the key, the key and what is wrong with it.

@@ -16,7 +16,7 @@ Toolpath as_sintered(Toolpath green, const SolidMaterial& material) {
     for (Path& path : green) {
         // The section shrinks both ways: as a rectangle, so that beads side by side stay so.
         const double wide = plane * spacing(path.bead), high = height * path.bead.height;
-        path.bead = {wide + (1 - pi / 4) * high, high};
+        path.bead = bead_of(wide * high, high);
         for (Vec3& p : path.points) p = {plane * p.x, plane * p.y, height * p.z};
     }
     return green;

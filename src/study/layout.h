@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fem/load_case.h"
+#include "geom/polygon.h"
 #include "toolpath/path.h"
 
 namespace bead {
@@ -34,9 +35,15 @@ using Layout = std::vector<LayoutLine>;
 
 double deposited_area(const Layout& layout, double bead_width);  // mm², overlaps counted twice
 double deposited_area(const Layout& layout, double bead_width, LineKind kind);
+// The same, less what is saved at crossings (crossing_flow.h).
+double deposited_area(const Layout& layout, const PrintWish& print);
+double deposited_area(const Layout& layout, const PrintWish& print, LineKind kind);
 
-// A bead of the case's height whose cross-section is that of the rectangle width × height.
-Bead printed_bead(const PrintWish& print);
+std::vector<Polyline> lines_of(const Layout& layout, LineKind kind);
+
+// A bead of the case's height whose cross-section is that of the rectangle width × height, or a
+// share of it.
+Bead printed_bead(const PrintWish& print, double flow = 1);
 
 // As a layer at z = 0, in the layout's order and without travel: what the test judges.
 Toolpath layer_of(const Layout& layout, const PrintWish& print);

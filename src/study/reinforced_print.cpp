@@ -7,6 +7,7 @@
 #include "geom/short_order.h"
 #include "geom/simplify.h"
 #include "plan/route.h"
+#include "study/crossing_flow.h"
 
 namespace bead {
 namespace {
@@ -19,20 +20,19 @@ Role role_of(LineKind kind) {
     return kind == LineKind::pad ? Role::skin : Role::infill;
 }
 
-std::vector<LineKind> order(int layer) {
-    if (layer % 2 == 0)
+std::vector<LineKind> order(int layer, const PrintWish& print) {
+    if (layer % 2 == 0 || print.crossing_flow < 1)
         return {LineKind::tensile, LineKind::compressive, LineKind::brace,
                 LineKind::patch,   LineKind::pad,         LineKind::wall};
     return {LineKind::compressive, LineKind::tensile, LineKind::brace,
             LineKind::patch,       LineKind::pad,     LineKind::wall};
 }
 
-std::vector<Polyline> lines_of(const Layout& layout, LineKind kind, Vec2 shift) {
+std::vector<Polyline> printed_lines(const LayeredLayout& print, LineKind kind) {
     std::vector<Polyline> lines;
-    for (const LayoutLine& line : layout) {
-        if (line.kind != kind) continue;
-        Polyline simple = simplified(line.points, detail);
-        for (Vec2& p : simple) p = p + shift;
+    for (const Polyline& line : lines_of(print.layout, kind)) {
+        Polyline simple = simplified(line, detail);
+        for (Vec2& p : simple) p = p + print.shift;
         if (length(simple) >= shortest_laid) lines.push_back(std::move(simple));
     }
     return lines;
@@ -67,6 +67,8 @@ std::vector<Polyline> skirt_of(const Region& part, const PlanOptions& options, c
 std::vector<Toolpath> toolpaths(const LayeredLayout& print, const PlanOptions& options,
                                 Vec2 start) {
     const Region part = placed(print);
+    const PrintWish& wish = print.load_case.print;
+    const std::vector<Polyline> tension = printed_lines(print, LineKind::tensile);
     std::vector<Toolpath> layers;
     Vec2 at = start;
     for (int index = 0; index < print.layers; ++index) {
@@ -75,11 +77,13 @@ std::vector<Toolpath> toolpaths(const LayeredLayout& print, const PlanOptions& o
         if (index == 0)
             for (const Polyline& loop : skirt_of(part, options, frame.bead))
                 route.lay({Role::skirt, frame.bead}, loop, {});
-        for (const LineKind kind : order(index)) {
-            std::vector<Polyline> lines = lines_of(print.layout, kind, print.shift);
+        for (const LineKind kind : order(index, wish)) {
+            std::vector<Polyline> lines = printed_lines(print, kind);
             if (lines.empty()) continue;
-            for (const Polyline& line : short_order(std::move(lines), route.at()))
-                route.lay({role_of(kind), frame.bead}, line, part);
+            lines = short_order(std::move(lines), route.at());
+            for (const std::vector<FlowPart>& line : flow_parts(lines, kind, tension, wish))
+                for (const FlowPart& piece : line)
+                    route.lay({role_of(kind), printed_bead(wish, piece.flow)}, piece.points, part);
         }
         at = route.at();
         layers.push_back(std::move(route).finished());

@@ -1,6 +1,6 @@
 // A layout printed layer on layer: what carries tension first, then compression, braces and
 // patches, then pads and walls (Sales 2019 measured 16 % more strength for tension first); odd
-// layers begin with compression.
+// layers begin with compression, unless it is laid thinner where it crosses (crossing_flow.h).
 #pragma once
 #include "plan/options.h"
 #include "plan/program.h"

@@ -22,6 +22,7 @@ constexpr double just_inside = 0.01;            // mm, of seeds from the edge th
 constexpr double shortest_traced = 3;           // mm
 constexpr double across = 0.7071;               // cosine of the angle to an edge's normal
 constexpr int halvings = 30;
+constexpr int rounds = 8;
 constexpr double near_enough = 0.002;  // of the area
 
 constexpr std::array families{PrincipalFamily::first, PrincipalFamily::second};
@@ -172,27 +173,19 @@ std::array<double, 2> distances(const ThesisLayer& layer, double wanted, double 
     return best;
 }
 
-}  // namespace
-
-std::optional<ThesisLines> thesis_lines(const LoadCase& load_case, const ThesisOptions& options) {
-    const double width = load_case.print.bead_width;
-    ThesisLines result;
-    result.layout = wall_lines(load_case.part, width, load_case.print.walls);
-    for (LayoutLine& pad : pad_lines(load_case, load_case.print.walls))
-        result.layout.push_back(std::move(pad));
-    const double free =
-        load_case.print.fill * area(load_case.part) - deposited_area(result.layout, width);
-    if (free <= 0) return std::nullopt;
-    const ThesisLayer layer(load_case, options);
-    const double single = (options.copies > 0 ? single_share : 1) * free;
+// Lines and copies that weigh about `wanted` (mm²), crossings counted twice.
+void lay(const ThesisLayer& layer, const ThesisOptions& options, double wanted,
+         ThesisLines& result) {
+    const double width = layer.width();
+    const double single = (options.copies > 0 ? single_share : 1) * wanted;
     const double apart = options.apart > 0 ? options.apart : common_distance(layer, single);
     result.apart = {apart, apart};
-    if (options.apart <= 0 && options.copies == 0) result.apart = distances(layer, free, apart);
+    if (options.apart <= 0 && options.copies == 0) result.apart = distances(layer, wanted, apart);
     Layout lines;
     for (std::size_t f = 0; f < 2; ++f)
         for (Polyline& line : layer.family(f, result.apart[f]))
             lines.push_back({kinds[f], std::move(line)});
-    const double left = free - deposited_area(lines, width);
+    const double left = wanted - deposited_area(lines, width);
     if (options.copies > 0 && left > 0) {
         const auto copied_area = [&](double threshold) {
             return deposited_area(layer.copies(lines, threshold), width);
@@ -202,8 +195,34 @@ std::optional<ThesisLines> thesis_lines(const LoadCase& load_case, const ThesisO
             result.layout.push_back(std::move(copy));
     }
     result.layout.insert(result.layout.end(), lines.begin(), lines.end());
-    result.area = deposited_area(result.layout, width);
-    return result;
+}
+
+}  // namespace
+
+std::optional<ThesisLines> thesis_lines(const LoadCase& load_case, const ThesisOptions& options) {
+    const double width = load_case.print.bead_width;
+    ThesisLines fixed;
+    fixed.layout = wall_lines(load_case.part, width, load_case.print.walls);
+    for (LayoutLine& pad : pad_lines(load_case, load_case.print.walls))
+        fixed.layout.push_back(std::move(pad));
+    const double asked = load_case.print.fill * area(load_case.part);
+    const double free = asked - deposited_area(fixed.layout, width);
+    if (free <= 0) return std::nullopt;
+    const ThesisLayer layer(load_case, options);
+    std::optional<ThesisLines> best;
+    double saved = 0;  // at crossings, which go with the lines: found by going round
+    for (int round = 0; round < rounds; ++round) {
+        ThesisLines result = fixed;
+        lay(layer, options, free + saved, result);
+        result.area = deposited_area(result.layout, load_case.print);
+        saved = deposited_area(result.layout, width) - result.area;
+        if (!best || std::abs(result.area - asked) < std::abs(best->area - asked))
+            best = std::move(result);
+        if (load_case.print.crossing_flow >= 1 ||
+            std::abs(best->area - asked) < near_enough * asked)
+            break;
+    }
+    return best;
 }
 
 }  // namespace bead

@@ -11,11 +11,6 @@ constexpr double same_section = 0.03;  // relative, within which moves go on wit
 constexpr double chord = 0.2;          // mm, of an arc
 constexpr double least_way = 1e-6;     // mm
 
-// A bead as high as the layer, with straight sides as wide as the section asks for.
-Bead bead_of(double section, double height) {
-    return {section / height + (1 - pi / 4) * height, height};
-}
-
 }  // namespace
 
 LaidLayers::LaidLayers(double filament_diameter, double height)

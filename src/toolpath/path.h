@@ -41,6 +41,11 @@ constexpr double section(const Bead& bead) {
     if (bead.width < bead.height) return pi / 4 * bead.width * bead.height;
     return (bead.width - bead.height) * bead.height + pi / 4 * bead.height * bead.height;
 }
+// The bead of this height that has the cross-section (mm²).
+constexpr Bead bead_of(double section, double height) {
+    const double flat = section / height, round = pi / 4 * height;
+    return {flat < round ? flat * 4 / pi : flat - round + height, height};
+}
 // Distance at which beads lie side by side so that section = spacing × height: they tile the plane.
 constexpr double spacing(const Bead& bead) { return section(bead) / bead.height; }
 

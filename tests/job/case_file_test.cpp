@@ -125,6 +125,18 @@ TEST(CaseFile, NamesWhatIsWrongAndWhere) {
         {"poisson = 0.3", "bed_c = 60", "material.bed_c stands alone"},
         {"fill = 0.3", "layer_height_mm = 5", "layer_height_mm is 5, the part 2 mm thick"},
         {"move_mm = 2", "move_mm = 80", "load[0].move_mm goes further than half-way round, 50 mm"},
+        {"[40, 0], [40, 10], [0, 10]]", "[40, 0], [20, 0]]", "outline has no area; its points"},
+        {"[40, 10], [0, 10]]", "[0, 0], [0, 0]]", "outline needs at least 3 different points"},
+        {"[40, 0], [40, 10]", "[1e30, 0], [1e30, 10]", "outline[1] is 1e+30 but must be"},
+        {"circles", "holes = [[[5, 5], [9, 5], [7, 5]]]\ncircles", "holes[0] has no area"},
+        {"circles", "holes = [[[5, 5], [9, 9], [9, 5], [5, 9]]]\ncircles",
+         "holes[0] crosses itself at (7, 7)"},
+        {"radius = 2 }", "radius = 1e-6 }", "circles[0] is too small to be a hole"},
+        {"at = [10, 5]", "", "probe[0] has no at = [x, y]"},
+        {"from = [40, 0]\nto = [40, 10]", "from = [0, 2]\nto = [0, 8]",
+         "load[0] pulls only where supports hold"},
+        {"young_mpa = 1000", "young_mpa = 1e300", "young_mpa is 1e+300 but must be at least"},
+        {"fill = 0.3", "layer_height_mm = 1e-7", "layer_height_mm is 1e-07 but must be at least"},
         {"bead_width_mm = 0.5", "bead_width_mm = 4", "thinner than a bead (4 mm) near (20"},
     };
     for (const Row& row : rows) {
@@ -132,6 +144,49 @@ TEST(CaseFile, NamesWhatIsWrongAndWhere) {
         EXPECT_TRUE(says(text, row.words)) << row.to << ": " << text;
         EXPECT_TRUE(text.starts_with("part.toml:")) << text;
     }
+}
+
+// Polygons may be closed by their first point, and say a point twice.
+TEST(CaseFile, PassesOverPointsThatRepeat) {
+    const auto part = [](const std::string& from, const std::string& to) {
+        return std::get<LoadCase>(parsed_case(changed(from, to), "x")).part;
+    };
+    const std::string hole = "holes = [[[5, 4], [9, 4], [9, 8]]]\ncircles";
+    const double once = area(part("circles", hole));
+    EXPECT_NEAR(once, 400 - 4 * pi - 8, 0.02);
+    EXPECT_EQ(area(part("circles", "holes = [[[5, 4], [9, 4], [9, 4], [9, 8], [5, 4]]]\ncircles")),
+              once);
+    EXPECT_EQ(area(part("[0, 10]]", "[0, 10], [0, 10], [0, 0]]")),
+              area(part("fill = 0.3", "fill = 0.3")));
+}
+
+// A stadium of 0.6 mm by 0.6 mm is a disc: 0.283 mm² in place of 0.36.
+TEST(CaseFile, TakesBeadsAsRectanglesOrStadiums) {
+    const auto section = [](const std::string& more) {
+        const PrintWish p =
+            std::get<LoadCase>(
+                parsed_case(changed("bead_width_mm = 0.5", "bead_width_mm = 0.6\n" + more), "x"))
+                .print;
+        return p.bead_width * p.layer_height;
+    };
+    EXPECT_NEAR(section(""), 0.36, 1e-12);
+    EXPECT_NEAR(section("section = \"rectangle\""), 0.36, 1e-12);
+    EXPECT_NEAR(section("section = \"stadium\""), pi * 0.09, 1e-12);
+    EXPECT_TRUE(says(complaint(changed("bead_width_mm = 0.5",
+                                       "section = \"stadium\"\n"
+                                       "bead_width_mm = 0.5")),
+                     "print.section = \"stadium\" needs beads at least as wide as high"));
+}
+
+// Held in one direction, the load still pulls in the other.
+TEST(CaseFile, TakesLoadsOnSupportsThatSlide) {
+    std::string text = changed("to = [0, 10]",
+                               "to = [0, 10]\n[[support]]\nfrom = [40, 0]\nto = [40, 10]\n"
+                               "fix = \"y\"");
+    EXPECT_NO_THROW(parsed_case(text, "x"));
+    text.replace(text.find("fix = \"y\""), 9, "fix = \"x\"");
+    text.replace(text.find("turn_deg = 10"), 13, "");
+    EXPECT_TRUE(says(complaint(text), "load[0] pulls only where supports hold"));
 }
 
 TEST(CaseFile, TellsWhatIsTooThinToPrint) {

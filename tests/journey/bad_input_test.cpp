@@ -152,6 +152,29 @@ TEST(BadInput, GcodeThatIsNone) {
     expect_one_clear_line(missing, "missing.gcode", "missing");
 }
 
+TEST(BadInput, NumbersThatAreNone) {
+    const std::string part = BEAD_SOURCE_DIR "/examples/cases/mbb.toml";
+    const BadCall calls[] = {
+        {"stress CASE --h nan", 2, "--h: nan is not finite"},
+        {"stress CASE --h inf", 2, "--h"},
+        {"strength CASE --fill nan", 2, "--fill: nan is not finite"},
+        {"strength CASE --range 10 NaN", 2, "--range: NaN is not finite"},
+        {"reinforce CASE -o OUT --hotend nan", 2, "--hotend: nan is not finite"},
+        {"reinforce CASE -o OUT --speed -nan", 2, "--speed"},
+    };
+    for (const BadCall& call : calls) {
+        const Folder folder;
+        std::string arguments = call.arguments;
+        arguments.replace(arguments.find("CASE"), 4, part);
+        if (const std::size_t at = arguments.find("OUT"); at != std::string::npos)
+            arguments.replace(at, 3, folder / "out.gcode");
+        const Outcome outcome = beadwork(arguments);
+        EXPECT_EQ(outcome.status, call.status) << call.arguments << ": " << outcome.err;
+        expect_one_clear_line(outcome, call.words, call.arguments);
+        EXPECT_EQ(folder.files(), 0U) << call.arguments;
+    }
+}
+
 TEST(BadInput, NoCommandOrAWrongOne) {
     EXPECT_EQ(beadwork("").status, 2);
     EXPECT_EQ(beadwork("bake").status, 2);

@@ -94,6 +94,42 @@ TEST(Reinforce, InThesisModeHasItsTemperatures) {
     EXPECT_EQ(test::content(folder / "b.gcode"), test::content(gcode));
 }
 
+// With M82 the file tells as much filament as with M83, and the same test of it.
+TEST(Reinforce, CountsFilamentAsAsked) {
+    const Folder folder;
+    const std::string toml = folder.write("beam.toml", beam);
+    std::vector<double> filament;
+    for (const std::string more : {"", " --absolute-e"}) {
+        const std::string gcode = folder / "a.gcode";
+        const test::Outcome run =
+            beadwork("reinforce " + toml + " --mode thesis -o " + gcode + more);
+        ASSERT_EQ(run.status, 0) << run.err;
+        const std::string text = test::content(gcode);
+        EXPECT_EQ(text.find("\nM82\n") != std::string::npos, !more.empty());
+        EXPECT_EQ(text.find("\nM83\n") != std::string::npos, more.empty());
+        const test::Outcome told = beadwork("simulate " + gcode + " --json -");
+        ASSERT_EQ(told.status, 0) << told.err;
+        filament.push_back(json::parse(told.out)["extruded_mm"]);
+    }
+    EXPECT_NEAR(filament[0], filament[1], 1e-3 * filament[0]);
+}
+
+// Thinned crossings are read back as they were laid: the file weighs what the case asks for.
+TEST(Reinforce, LaysLessWhereBeadsCross) {
+    const Folder folder;
+    const std::string toml = folder.write("beam.toml", beam), gcode = folder / "a.gcode";
+    const test::Outcome run =
+        beadwork("reinforce " + toml + " --mode thesis --line-seeds even --crossing-flow 0.5 -o " +
+                 gcode + " --json " + (folder / "a.json"));
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_NEAR(parsed(folder / "a.json")["fill"], 0.45, 0.005 * 0.45);
+    const test::Outcome tested = beadwork("strength " + toml + " " + gcode +
+                                          " --no-baselines --json " + (folder / "b.json"));
+    ASSERT_EQ(tested.status, 0) << tested.err;
+    const double volume = parsed(folder / "b.json")["designs"][0]["volume_mm3"];
+    EXPECT_NEAR(volume, 0.45 * 40 * 12 * 6, 0.006 * 0.45 * 40 * 12 * 6);
+}
+
 // What is sintered is printed larger: the file's part by the factor, its test the designed part's.
 TEST(Reinforce, PrintsMetalLarger) {
     const Folder folder;
@@ -241,6 +277,9 @@ TEST(Reinforce, SaysWhatIsWrongInOneLine) {
            " --mode thesis");
     expect("reinforce", beam, 4, "is as near as lines come",
            " --mode thesis --seed-distance 30 --copies 0");
+    expect("reinforce", beam, 4, "lay lines farther apart", " --mode thesis --seed-distance 0.35");
+    expect("reinforce", beam, 2, "--seed-distance 1e-06: less than half a bead",
+           " --mode thesis --seed-distance 1e-6");
     expect("reinforce", beam, 2, "--mode", " --mode weakest");
     expect("reinforce", beam, 2, "--line-seeds", " --mode thesis --line-seeds corners");
     const test::Outcome none = beadwork("strength " + folder.write("x.toml", beam) + " " +

@@ -1,6 +1,7 @@
 // `stress` from CASE.toml to JSON, against CalculiX 2.20 (CPS6 on gmsh's meshes, two sizes).
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "support/program.h"
@@ -100,6 +101,73 @@ TEST(Stress, WritesFieldsAndAPicture) {
     EXPECT_NE(test::content(folder / "a.svg").find("</svg>"), std::string::npos);
 }
 
+struct VtuArray {
+    std::string name;
+    int components = 1;
+    std::vector<std::byte> bytes;
+};
+
+// The arrays of a .vtu, by what its XML says of them.
+std::vector<VtuArray> arrays_of(const std::string& text) {
+    const std::size_t data = text.find("<AppendedData encoding=\"raw\">\n");
+    const std::string xml = text.substr(0, data);
+    const std::size_t begin = text.find('_', data) + 1;
+    std::vector<VtuArray> arrays;
+    for (std::size_t at = xml.find("<DataArray"); at != std::string::npos;
+         at = xml.find("<DataArray", at + 1)) {
+        const auto value = [&](const std::string& key) {
+            const std::size_t from = xml.find(key + "=\"", at) + key.size() + 2;
+            return xml.substr(from, xml.find('"', from) - from);
+        };
+        const std::size_t place = begin + std::stoul(value("offset"));
+        std::uint64_t size = 0;
+        std::memcpy(&size, text.data() + place, sizeof size);
+        const auto* first = reinterpret_cast<const std::byte*>(text.data() + place + sizeof size);
+        arrays.push_back({value("Name"),
+                          std::stoi(value("NumberOfComponents")),
+                          {first, first + std::ptrdiff_t(size)}});
+    }
+    return arrays;
+}
+
+// Every field has a value for every point, every cell points that there are.
+void expect_sound_vtu(const std::string& text, const json& result) {
+    const std::size_t nodes = result["nodes"], elements = result["elements"];
+    EXPECT_NE(text.find("NumberOfPoints=\"" + std::to_string(nodes) + "\""), std::string::npos);
+    EXPECT_NE(text.find("NumberOfCells=\"" + std::to_string(elements) + "\""), std::string::npos);
+    EXPECT_TRUE(text.ends_with("</AppendedData>\n</VTKFile>\n"));
+    std::size_t corners = 0;
+    for (const VtuArray& array : arrays_of(text)) {
+        const std::size_t words = array.bytes.size() / 4;
+        if (array.name == "connectivity") {
+            corners = words;
+            for (std::size_t i = 0; i < words; ++i) {
+                int point = 0;
+                std::memcpy(&point, array.bytes.data() + 4 * i, 4);
+                ASSERT_LT(std::size_t(point), nodes);
+            }
+        } else if (array.name == "offsets") {
+            std::int64_t last = 0;
+            ASSERT_EQ(array.bytes.size(), 8 * elements);
+            std::memcpy(&last, array.bytes.data() + 8 * (elements - 1), 8);
+            EXPECT_EQ(std::size_t(last), corners);
+        } else if (array.name == "types") {
+            EXPECT_EQ(array.bytes.size(), elements);
+        } else {
+            EXPECT_EQ(words, nodes * std::size_t(array.components)) << array.name;
+        }
+        EXPECT_TRUE(array.name != "stress_mpa" || array.components == 6);
+    }
+}
+
+TEST(Stress, WritesAValueForEveryPoint) {
+    const Folder folder;
+    for (const std::string more : {"", " --elements pixels --h 1"}) {
+        const json result = stress(example("bracket") + more + " -o " + (folder / "a.vtu"));
+        expect_sound_vtu(test::content(folder / "a.vtu"), result);
+    }
+}
+
 // Turned by a quarter, mirrored and moved, the work stays.
 TEST(Stress, DoesNotCareForThePlacing) {
     const Folder folder;
@@ -147,7 +215,8 @@ TEST(Stress, OfAMeshBendsLikeABeam) {
             "solid.toml",
             head + "[[support]]\nbox = [[0,0,0],[0,6,6]]\n[[load]]\nbox = [[60,0,0],[60,6,6]]\n"
                    "force_n = [0,0,-1]\n[[probe]]\nat = [30,3,6]\n") +
-        " --h 0.5");
+        " --h 0.5 -o " + (folder / "solid.vtu"));
+    expect_sound_vtu(test::content(folder / "solid.vtu"), solid);
     EXPECT_EQ(solid["element"], "hex8");
     EXPECT_NEAR(solid["work_n_mm"], known, 0.01 * known);
     EXPECT_NEAR(solid["probes"][0]["s1"], 30 * 3 / inertia, 0.02 * 30 * 3 / inertia);
@@ -191,6 +260,23 @@ TEST(Stress, SaysWhatIsWrongInOneLine) {
     expect(head + "from=[0,0]\nto=[0,0]" + load, 3, "turn about a point");
     expect(head + "from=[0,0]\nto=[0,5]" + load, 5, "after 2 iterations",
            " --elements pixels --h 0.05 --iterations 2");
+    expect(head + "from=[0,0]\nto=[0,5]" + load, 4, "--h 1e-06: 1e+08 million elements",
+           " --h 1e-6");
+    expect(head + "from=[0,0]\nto=[0,5]" + load, 4, "GB; give larger ones",
+           " --h 0.002 --elements triangles");
+    (void)folder.write("box.stl", box_stl(20, 5, 5));
+    const std::string solid = "model = \"box.stl\"\n[[support]]\nbox = [[0,0,0],[0,5,5]]\n";
+    const std::string pull = "[[load]]\nbox = [[20,0,0],[20,5,5]]\nforce_n = [0,0,-1]\n";
+    expect(solid, 3, "load is missing");
+    expect("model = \"box.stl\"\n" + pull, 3, "support is missing");
+    expect(solid + "fix = \"x\"\n" + pull, 3, "supports let the part move");
+    expect(solid + pull + "[[probe]]\nat = [30,1,1]", 3, "probe[0].at does not touch the part");
+    expect(solid + pull + "[[probe]]", 3, "probe[0] has no at = [x, y, z]");
+    expect(solid + pull, 5, "after 1 iterations", " --iterations 1");
+    expect(solid + pull, 4, "million elements", " --h 0.001");
+    expect(solid + pull, 2, "--elements: is for cases of the plane", " --elements triangles");
+    expect(solid + pull, 2, "--buckling: is for cases of the plane", " --buckling");
+    expect(solid + pull, 2, "--picture", " --picture a.svg");
     EXPECT_EQ(beadwork("stress " + (folder / "none.toml")).status, 3);
     EXPECT_EQ(beadwork("stress").status, 2);
 }

@@ -18,13 +18,6 @@ constexpr ThesisSeeds all_seeds[] = {ThesisSeeds::edges, ThesisSeeds::even, Thes
 
 double asked(const LoadCase& load_case) { return load_case.print.fill * area(load_case.part); }
 
-std::vector<Polyline> lines_of(const Layout& layout, LineKind kind) {
-    std::vector<Polyline> lines;
-    for (const LayoutLine& line : layout)
-        if (line.kind == kind) lines.push_back(line.points);
-    return lines;
-}
-
 TEST(ThesisLines, WeighWhatTheCaseSays) {
     const LoadCase beam = beam_case(short_beam);
     for (const ThesisSeeds seeds : all_seeds)
@@ -36,6 +29,18 @@ TEST(ThesisLines, WeighWhatTheCaseSays) {
             EXPECT_NEAR(lines->area, deposited_area(lines->layout, 0.6), 1e-9);
             EXPECT_EQ(lines->threshold > 0, copies > 0);
         }
+}
+
+// What is saved at crossings goes into more lines.
+TEST(ThesisLines, WeighTheSameWithLessAtCrossings) {
+    LoadCase beam = beam_case(short_beam);
+    const auto whole = thesis_lines(beam, {.seeds = ThesisSeeds::even});
+    beam.print.crossing_flow = 0.5;
+    const auto thinned = thesis_lines(beam, {.seeds = ThesisSeeds::even});
+    ASSERT_TRUE(whole && thinned);
+    EXPECT_NEAR(thinned->area, asked(beam), 0.005 * asked(beam));
+    EXPECT_NEAR(thinned->area, deposited_area(thinned->layout, beam.print), 1e-9);
+    EXPECT_GT(deposited_area(thinned->layout, 0.6), 1.02 * deposited_area(whole->layout, 0.6));
 }
 
 TEST(ThesisLines, LieInsideTheWallsMiddle) {

@@ -41,6 +41,15 @@ TEST(LaidLayers, LayTheFilamentThatWentIn) {
         for (const Path& path : layer.paths) EXPECT_NE(path.role, Role::travel);
 }
 
+// Thin and thick, also thinner than a disc of the layer's height.
+TEST(LaidLayers, KnowBeadsByTheirSection) {
+    for (const double section : {0.005, 0.03, 0.06, 0.2}) {
+        const auto layers =
+            laid({move(0, 0, 0.2, 0, Role::travel), move(10, 0, 0.2, 10 * section / filament)});
+        EXPECT_NEAR(volume(layers), 10 * section, 1e-9) << section;
+    }
+}
+
 TEST(LaidLayers, RetractionLaysNothing) {
     const auto layers =
         laid({move(0, 0, 0.2, 0, Role::travel), move(10, 0, 0.2, 1), move(10, 0, 0.2, 0.2),
