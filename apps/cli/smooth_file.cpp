@@ -147,6 +147,7 @@ class Smoother {
         if (!item.reason.empty()) return;
         SmoothOptions options = options_.smooth;
         options.start = item.start;
+        options.retraction = retraction_way(speed_of(item), options_.firmware, item.style);
         // Nobody says what these beads are: they keep their order.
         const bool named = std::ranges::any_of(item.plan.body, [](const Path& path) {
             return path.role != Role::travel && path.role != Role::other;

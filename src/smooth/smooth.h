@@ -34,6 +34,8 @@ struct SmoothOptions {
     double point_budget = 1.2;            // the layer's points may grow by this factor
     double link = 3;                      // mm, from one nested loop to the next
     Vec2 start{};                         // where the nozzle is before the layer
+    // mm of travel that pulling filament back takes as long as; 0: travel does not stop for it.
+    double retraction = 0;
 };
 
 struct SmoothedLayer {
