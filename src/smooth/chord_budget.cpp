@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace bead {
@@ -40,6 +41,12 @@ constexpr std::array<Rung, 13> rungs = [] {
     return steps;
 }();
 constexpr double quietest = 20, loudest = 1000;  // mm/s²
+constexpr double most_braked = 6;  // times slower than asked, where two chords of a bend meet
+
+// The louder chords may be, the more firmware may brake where they meet.
+double braked(double loudness) {
+    return std::pow(most_braked, std::log(loudness / quietest) / std::log(loudest / quietest));
+}
 
 ChordOptions chord_options(const SmoothOptions& options, const Rung& rung, double loudness) {
     ChordOptions chords;
@@ -54,7 +61,10 @@ ChordOptions chord_options(const SmoothOptions& options, const Rung& rung, doubl
     }
     chords.fine_links = rung.fine_links;
     chords.velocity_step = rung.velocity_step;
-    if (options.stages.chords) return chords;
+    if (options.stages.chords) {
+        if (options.step) chords.step = braked(loudness) * *options.step;
+        return chords;
+    }
     chords.wall = chords.infill = chords.travel = 0.01;
     chords.quiet = std::numeric_limits<double>::infinity();
     return chords;
