@@ -18,8 +18,7 @@ namespace {
 constexpr std::size_t most_layers = 64, most_moves = 200'000;  // read before they are smoothed
 constexpr double same_volume = 0.003;                          // part
 constexpr double most_turned = 10;                             // mm, of travel
-constexpr const char* slower = "would take longer";
-constexpr double most_beyond = 2;  // mm, outside the layer's old box
+constexpr double most_beyond = 2;                              // mm, outside the layer's old box
 
 struct Item {
     FileLayer layer;
@@ -154,19 +153,8 @@ class Smoother {
         });
         if (!named) options.stages.order = options.stages.chains = false;
         const double printed_before = printed_in(item, item.before);
-        const auto try_with = [&](const SmoothStages& stages) {
-            options.stages = stages;
-            item.after = smoothed(item.plan.body, options);
-            item.reason = fault_of(item, printed_before);
-        };
-        const SmoothStages asked = options.stages;
-        try_with(asked);
-        // Long chords turn more at once, which some firmware brakes for.
-        if (item.reason == slower && asked.chords) {
-            SmoothStages without = asked;
-            without.chords = false;
-            try_with(without);
-        }
+        item.after = smoothed(item.plan.body, options);
+        item.reason = fault_of(item, printed_before);
         if (!item.reason.empty()) item.after = {};
     }
 
@@ -180,7 +168,7 @@ class Smoother {
         if (!is_within(item.after.path, old, with_way)) return "would lead out of the layer";
         const Toolpath path = from_place(item.after.path, item.start, speed_of(item));
         item.after_time = time_of(item, path);
-        return printed_in(item, path) > printed_before ? slower : "";
+        return printed_in(item, path) > printed_before ? "would take longer" : "";
     }
 
     static double speed_of(const Item& item) { return usual_pace(item.plan.whole).speed; }
