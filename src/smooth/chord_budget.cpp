@@ -89,13 +89,19 @@ class Budget {
 
   private:
     [[nodiscard]] bool fits(const Rung& rung, double loudness) {
+        return points_left(rung, loudness) >= 0;
+    }
+
+    // Below 0: there are too few.
+    [[nodiscard]] double points_left(const Rung& rung, double loudness) {
         const ChordOptions chords = chord_options(options_, rung, loudness);
-        std::size_t count = 1 + travel_points(rung.fine_travel);
+        double left = most_ - 1 - static_cast<double>(travel_points(rung.fine_travel));
         for (const LaidStroke& laid : strokes_) {
-            count += chord_count(laid.stroke(rung.rounds_walls, rung.rounds_infill), chords);
-            if (static_cast<double>(count) > most_) return false;
+            left -= static_cast<double>(
+                chord_count(laid.stroke(rung.rounds_walls, rung.rounds_infill), chords));
+            if (left < 0) break;
         }
-        return true;
+        return left;
     }
 
     // Travel does not heed anything else that the rungs and the loudness are about.
@@ -108,13 +114,25 @@ class Budget {
         return count;
     }
 
-    [[nodiscard]] std::vector<ChordedStroke> made(const Rung& rung, double loudness) const {
+    // Points that are left round strokes that the rung does not: firmware brakes most at corners.
+    [[nodiscard]] std::vector<ChordedStroke> made(const Rung& rung, double loudness) {
         const ChordOptions chords = chord_options(options_, rung, loudness);
+        double left = options_.step ? points_left(rung, loudness) : 0;
         std::vector<ChordedStroke> result;
         result.reserve(strokes_.size());
-        for (const LaidStroke& laid : strokes_)
-            result.push_back({chorded(laid.travel, chords),
-                              chorded(laid.stroke(rung.rounds_walls, rung.rounds_infill), chords)});
+        for (const LaidStroke& laid : strokes_) {
+            Ribbon stroke = chorded(laid.stroke(rung.rounds_walls, rung.rounds_infill), chords);
+            if (left > 0) {
+                Ribbon round = chorded(laid.smooth, chords);
+                const auto more = static_cast<double>(round.points.size()) -
+                                  static_cast<double>(stroke.points.size());
+                if (more <= left) {
+                    left -= more;
+                    stroke = std::move(round);
+                }
+            }
+            result.push_back({chorded(laid.travel, chords), std::move(stroke)});
+        }
         return result;
     }
 
