@@ -18,7 +18,8 @@ namespace {
 constexpr std::size_t most_layers = 64, most_moves = 200'000;  // read before they are smoothed
 constexpr double same_volume = 0.003;                          // part
 constexpr double most_turned = 10;                             // mm, of travel
-constexpr double most_beyond = 2;                              // mm, outside the layer's old box
+constexpr const char* slower = "would take longer";
+constexpr double most_beyond = 2;  // mm, outside the layer's old box
 
 struct Item {
     FileLayer layer;
@@ -153,8 +154,15 @@ class Smoother {
         });
         if (!named) options.stages.order = options.stages.chains = false;
         const double printed_before = printed_in(item, item.before);
-        item.after = smoothed(item.plan.body, options);
-        item.reason = fault_of(item, printed_before);
+        const auto smooth_by = [&](const SmoothStages& stages) {
+            options.stages = stages;
+            item.after = smoothed(item.plan.body, options);
+            item.reason = fault_of(item, printed_before);
+        };
+        SmoothStages stages = options.stages;
+        smooth_by(stages);
+        // Islands are printed one by one in the file, walls before infill in all of them by us.
+        if (item.reason == slower && std::exchange(stages.order, false)) smooth_by(stages);
         if (!item.reason.empty()) item.after = {};
     }
 
@@ -168,7 +176,7 @@ class Smoother {
         if (!is_within(item.after.path, old, with_way)) return "would lead out of the layer";
         const Toolpath path = from_place(item.after.path, item.start, speed_of(item));
         item.after_time = time_of(item, path);
-        return printed_in(item, path) > printed_before ? "would take longer" : "";
+        return printed_in(item, path) > printed_before ? slower : "";
     }
 
     static double speed_of(const Item& item) { return usual_pace(item.plan.whole).speed; }
