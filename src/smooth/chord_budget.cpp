@@ -78,16 +78,24 @@ class Budget {
     [[nodiscard]] std::vector<ChordedStroke> chorded_strokes() {
         if (!options_.stages.chords || fits(rungs[0], quietest)) return made(rungs[0], quietest);
         std::size_t rung = 0;
-        while (rung + 1 < rungs.size() && !fits(rungs[rung], loudest)) ++rung;
+        while (rung + 1 < rungs.size() && !fits(heeded(rung), loudest)) ++rung;
         double low = quietest, high = loudest;
         for (int halving = 0; halving < 6; ++halving) {
             const double middle = std::sqrt(low * high);
-            (fits(rungs[rung], middle) ? high : low) = middle;
+            (fits(heeded(rung), middle) ? high : low) = middle;
         }
-        return made(rungs[rung], high);
+        return made(heeded(rung), high);
     }
 
   private:
+    // Firmware brakes between the few chords that a budget has for a rounded corner, and each
+    // shakes as the corner would: only what is left rounds some, not all of them coarsely.
+    [[nodiscard]] Rung heeded(std::size_t i) const {
+        Rung rung = rungs[i];
+        if (options_.step) rung.rounds_walls = rung.rounds_infill = false;
+        return rung;
+    }
+
     [[nodiscard]] bool fits(const Rung& rung, double loudness) {
         return points_left(rung, loudness) >= 0;
     }
@@ -114,7 +122,7 @@ class Budget {
         return count;
     }
 
-    // Points that are left round strokes that the rung does not: firmware brakes most at corners.
+    // Points that are left round strokes that the rung does not.
     [[nodiscard]] std::vector<ChordedStroke> made(const Rung& rung, double loudness) {
         const ChordOptions chords = chord_options(options_, rung, loudness);
         double left = options_.step ? points_left(rung, loudness) : 0;
