@@ -130,13 +130,12 @@ class Budget {
         result.reserve(strokes_.size());
         for (const LaidStroke& laid : strokes_) {
             Ribbon stroke = chorded(laid.stroke(rung.rounds_walls, rung.rounds_infill), chords);
-            if (left > 0) {
-                Ribbon round = chorded(laid.smooth, chords);
-                const auto more = static_cast<double>(round.points.size()) -
-                                  static_cast<double>(stroke.points.size());
+            if (left > 0 && !laid.plain.at.empty()) {
+                const auto more = static_cast<double>(chord_count(laid.smooth, chords)) -
+                                  static_cast<double>(stroke.flows.size());
                 if (more <= left) {
                     left -= more;
-                    stroke = std::move(round);
+                    stroke = chorded(laid.smooth, chords);
                 }
             }
             result.push_back({chorded(laid.travel, chords), std::move(stroke)});
