@@ -41,6 +41,7 @@ constexpr std::array<Rung, 13> rungs = [] {
     return steps;
 }();
 constexpr double quietest = 20, loudest = 1000;  // mm/s²
+constexpr double corner_frequency = 30;          // Hz: chords of some 0.6 mm, passed at 20 mm/s
 constexpr double most_braked = 6;  // times slower than asked, where two chords of a bend meet
 
 // The louder chords may be, the more firmware may brake where they meet.
@@ -88,11 +89,13 @@ class Budget {
     }
 
   private:
-    // Firmware brakes between the few chords that a budget has for a rounded corner, and each
-    // shakes as the corner would: only what is left rounds some, not all of them coarsely.
+    // Firmware brakes between the few chords that a budget has for a rounded corner. Where they do
+    // not lie above the modes only what is left rounds some corners, and finely.
     [[nodiscard]] Rung heeded(std::size_t i) const {
         Rung rung = rungs[i];
-        if (options_.step) rung.rounds_walls = rung.rounds_infill = false;
+        const double mode = std::max(options_.modes[0], options_.modes[1]);
+        if (options_.step && mode > corner_frequency)
+            rung.rounds_walls = rung.rounds_infill = false;
         return rung;
     }
 
