@@ -89,4 +89,11 @@ double firmware_time(const Toolpath& layer, const FirmwareClock& clock, const Mo
     return running.finish();
 }
 
+double retraction_way(double speed, const FirmwareClock& clock, const MotionStyle& style) {
+    Path travel{Role::travel, {}, speed, 0, false, {{0, 0, 0}, {50, 0, 0}}};
+    const double without = firmware_time({travel}, clock, style);
+    travel.retracted = true;
+    return speed * (firmware_time({travel}, clock, style) - without);
+}
+
 }  // namespace bead::cli

@@ -15,4 +15,10 @@ struct FirmwareClock {
 // s
 double firmware_time(const Toolpath& layer, const FirmwareClock& clock, const MotionStyle& style);
 
+// mm of travel at that speed that pulling filament back takes as long as, once.
+double retraction_way(double speed, const FirmwareClock& clock, const MotionStyle& style);
+
+// mm of travel at that speed that pulling filament back takes as long as, once.
+double retraction_way(double speed, const FirmwareClock& clock, const MotionStyle& style);
+
 }  // namespace bead::cli

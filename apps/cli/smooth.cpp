@@ -125,6 +125,7 @@ SmoothFileOptions file_options(const SmoothCall& options, const MachineChoice& c
     file.smooth.stages.thinning = options.thin;
     file.smooth.modes = modes_of(options, printer.vibration);
     file.smooth.acceleration = printer.limits.acceleration;
+    file.smooth.step = velocity_step(choice.machine.motion.firmware, printer.limits);
     file.read = {.name = options.file, .firmware = choice.firmware.firmware};
     file.filament = printer.filament;
     file.threads = options.threads;

@@ -77,17 +77,30 @@ Path way_to(const Toolpath& layer, Vec2 from, double speed) {
     return {Role::travel, {}, speed, 0, false, {{from.x, from.y, to.z}, to}};
 }
 
-// The same layer from where the nozzle really is.
-Toolpath from_place(Toolpath layer, Vec2 place, double speed) {
-    const auto bead =
-        std::ranges::find_if(layer, [](const Path& path) { return path.role != Role::travel; });
+Toolpath::const_iterator first_bead(const Toolpath& layer) {
+    return std::ranges::find_if(layer, [](const Path& path) { return path.role != Role::travel; });
+}
+
+// Whether filament is pulled back on the way to the layer's first bead.
+bool comes_retracted(const Toolpath& layer) {
+    return std::any_of(layer.begin(), first_bead(layer),
+                       [](const Path& path) { return path.retracted; });
+}
+
+// How a layer is come to: from where the nozzle really is, as the file does.
+struct Coming {
+    Vec2 from;
+    double speed = 0;  // mm/s
     bool retracted = false;
-    for (auto path = layer.begin(); path != bead; ++path) retracted = retracted || path->retracted;
-    layer.erase(layer.begin(), bead);
+};
+
+Toolpath from_place(Toolpath layer, const Coming& coming) {
+    const bool retracted = coming.retracted || comes_retracted(layer);
+    layer.erase(layer.begin(), first_bead(layer));
     if (layer.empty()) return layer;
-    Path way = way_to(layer, place, speed);
+    Path way = way_to(layer, coming.from, coming.speed);
     way.retracted = retracted;
-    if (distance(place, bead::flat(layer.front().points.front())) > 1e-3)
+    if (distance(coming.from, bead::flat(layer.front().points.front())) > 1e-3)
         layer.insert(layer.begin(), std::move(way));
     return layer;
 }
@@ -142,29 +155,30 @@ class Smoother {
         item.reason = item.plan.obstacle;
         if (!has_body(item)) return;
         item.before = from_place(item.plan.body.empty() ? item.plan.whole : item.plan.body,
-                                 item.start, speed_of(item));
+                                 coming(item, item.start));
         item.before_time = time_of(item, item.before);
         if (!item.reason.empty()) return;
         SmoothOptions options = options_.smooth;
         options.start = item.start;
+        options.retraction = retraction_way(speed_of(item), options_.firmware, item.style);
         // Nobody says what these beads are: they keep their order.
         const bool named = std::ranges::any_of(item.plan.body, [](const Path& path) {
             return path.role != Role::travel && path.role != Role::other;
         });
         if (!named) options.stages.order = options.stages.chains = false;
         const double printed_before = printed_in(item, item.before);
-        const auto try_with = [&](const SmoothStages& stages) {
+        const auto smooth_by = [&](const SmoothStages& stages) {
             options.stages = stages;
             item.after = smoothed(item.plan.body, options);
             item.reason = fault_of(item, printed_before);
         };
-        const SmoothStages asked = options.stages;
-        try_with(asked);
-        // Long chords turn more at once, which some firmware brakes for.
-        if (item.reason == slower && asked.chords) {
-            SmoothStages without = asked;
-            without.chords = false;
-            try_with(without);
+        SmoothStages stages = options.stages;
+        smooth_by(stages);
+        // Islands are printed one by one in the file, walls before infill in all of them by us; the
+        // links of short loops are most of their length.
+        if (item.reason == slower && (stages.order || stages.chains)) {
+            stages.order = stages.chains = false;
+            smooth_by(stages);
         }
         if (!item.reason.empty()) item.after = {};
     }
@@ -177,9 +191,14 @@ class Smoother {
         Bounds with_way = old;
         with_way.add({item.start.x, item.start.y, 0});
         if (!is_within(item.after.path, old, with_way)) return "would lead out of the layer";
-        const Toolpath path = from_place(item.after.path, item.start, speed_of(item));
+        const Toolpath path = from_place(item.after.path, coming(item, item.start));
         item.after_time = time_of(item, path);
         return printed_in(item, path) > printed_before ? slower : "";
+    }
+
+    static Coming coming(const Item& item, Vec2 from) {
+        const bool retracted = item.plan.before.pulled_back > 0 || comes_retracted(item.plan.whole);
+        return {from, speed_of(item), retracted};
     }
 
     static double speed_of(const Item& item) { return usual_pace(item.plan.whole).speed; }
@@ -283,7 +302,7 @@ class Smoother {
         }
         ours_.acceleration = plan.head.acceleration;
         write_rest(item, plan.head_end, plan.tail_begin, true);
-        pair.after = from_place(item.after.path, flat(ours_.at), usual_pace(plan.whole).speed);
+        pair.after = from_place(item.after.path, coming(item, flat(ours_.at)));
         write_motion(item, pair.after);
         if (plan.tail_free && !item.last) {
             write_rest(item, plan.tail_begin, count, false);

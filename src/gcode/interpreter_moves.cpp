@@ -110,7 +110,10 @@ std::optional<Arc> Interpreter::arc_told(const Words& words, const Position& to,
     if (in(marlin_dialect | reprap_dialect) && words.has('R'))
         centre = arc_centre({to[p] - from[p], to[q] - from[q]}, words.at('R') * unit_, clockwise)
                      .value_or(Vec2{});
-    if (centre == Vec2{} || length(centre) > farthest_place[axis_x]) return {};
+    if (centre == Vec2{}) return {};
+    if (length(centre) > farthest_place[axis_x])
+        fail("the arc's radius is more than " + std::to_string(farthest_place[axis_x] / 1e6) +
+             " km; correct or remove it");
     const double turns = in(marlin_dialect) ? number_or_0(words, 'P') : 0;
     if (turns < 0 || turns > most_turns) return {};
     return Arc{

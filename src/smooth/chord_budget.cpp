@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace bead {
@@ -40,6 +41,13 @@ constexpr std::array<Rung, 13> rungs = [] {
     return steps;
 }();
 constexpr double quietest = 20, loudest = 1000;  // mm/s²
+constexpr double corner_frequency = 30;          // Hz: chords of some 0.6 mm, passed at 20 mm/s
+constexpr double most_braked = 6;  // times slower than asked, where two chords of a bend meet
+
+// The louder chords may be, the more firmware may brake where they meet.
+double braked(double loudness) {
+    return std::pow(most_braked, std::log(loudness / quietest) / std::log(loudest / quietest));
+}
 
 ChordOptions chord_options(const SmoothOptions& options, const Rung& rung, double loudness) {
     ChordOptions chords;
@@ -54,7 +62,10 @@ ChordOptions chord_options(const SmoothOptions& options, const Rung& rung, doubl
     }
     chords.fine_links = rung.fine_links;
     chords.velocity_step = rung.velocity_step;
-    if (options.stages.chords) return chords;
+    if (options.stages.chords) {
+        if (options.step) chords.step = braked(loudness) * *options.step;
+        return chords;
+    }
     chords.wall = chords.infill = chords.travel = 0.01;
     chords.quiet = std::numeric_limits<double>::infinity();
     return chords;
@@ -68,24 +79,40 @@ class Budget {
     [[nodiscard]] std::vector<ChordedStroke> chorded_strokes() {
         if (!options_.stages.chords || fits(rungs[0], quietest)) return made(rungs[0], quietest);
         std::size_t rung = 0;
-        while (rung + 1 < rungs.size() && !fits(rungs[rung], loudest)) ++rung;
+        while (rung + 1 < rungs.size() && !fits(heeded(rung), loudest)) ++rung;
         double low = quietest, high = loudest;
         for (int halving = 0; halving < 6; ++halving) {
             const double middle = std::sqrt(low * high);
-            (fits(rungs[rung], middle) ? high : low) = middle;
+            (fits(heeded(rung), middle) ? high : low) = middle;
         }
-        return made(rungs[rung], high);
+        return made(heeded(rung), high);
     }
 
   private:
+    // Firmware brakes between the few chords that a budget has for a rounded corner. Where they do
+    // not lie above the modes only what is left rounds some corners, and finely.
+    [[nodiscard]] Rung heeded(std::size_t i) const {
+        Rung rung = rungs[i];
+        const double mode = std::max(options_.modes[0], options_.modes[1]);
+        if (options_.step && mode > corner_frequency)
+            rung.rounds_walls = rung.rounds_infill = false;
+        return rung;
+    }
+
     [[nodiscard]] bool fits(const Rung& rung, double loudness) {
+        return points_left(rung, loudness) >= 0;
+    }
+
+    // Below 0: there are too few.
+    [[nodiscard]] double points_left(const Rung& rung, double loudness) {
         const ChordOptions chords = chord_options(options_, rung, loudness);
-        std::size_t count = 1 + travel_points(rung.fine_travel);
+        double left = most_ - 1 - static_cast<double>(travel_points(rung.fine_travel));
         for (const LaidStroke& laid : strokes_) {
-            count += chord_count(laid.stroke(rung.rounds_walls, rung.rounds_infill), chords);
-            if (static_cast<double>(count) > most_) return false;
+            left -= static_cast<double>(
+                chord_count(laid.stroke(rung.rounds_walls, rung.rounds_infill), chords));
+            if (left < 0) break;
         }
-        return true;
+        return left;
     }
 
     // Travel does not heed anything else that the rungs and the loudness are about.
@@ -98,13 +125,24 @@ class Budget {
         return count;
     }
 
-    [[nodiscard]] std::vector<ChordedStroke> made(const Rung& rung, double loudness) const {
+    // Points that are left round strokes that the rung does not.
+    [[nodiscard]] std::vector<ChordedStroke> made(const Rung& rung, double loudness) {
         const ChordOptions chords = chord_options(options_, rung, loudness);
+        double left = options_.step ? points_left(rung, loudness) : 0;
         std::vector<ChordedStroke> result;
         result.reserve(strokes_.size());
-        for (const LaidStroke& laid : strokes_)
-            result.push_back({chorded(laid.travel, chords),
-                              chorded(laid.stroke(rung.rounds_walls, rung.rounds_infill), chords)});
+        for (const LaidStroke& laid : strokes_) {
+            Ribbon stroke = chorded(laid.stroke(rung.rounds_walls, rung.rounds_infill), chords);
+            if (left > 0 && !laid.plain.at.empty()) {
+                const auto more = static_cast<double>(chord_count(laid.smooth, chords)) -
+                                  static_cast<double>(stroke.flows.size());
+                if (more <= left) {
+                    left -= more;
+                    stroke = chorded(laid.smooth, chords);
+                }
+            }
+            result.push_back({chorded(laid.travel, chords), std::move(stroke)});
+        }
         return result;
     }
 

@@ -66,6 +66,7 @@ class ChordFrom {
         const double square = dot(along, along);
         if (square < 1e-18) return false;
         if (turn > 0.01 && !is_quiet(turn, run, square, tight)) return false;
+        if (options_.step && !is_passed(end, turn, run)) return false;
         return stays_near(end, along, square);
     }
 
@@ -79,6 +80,15 @@ class ChordFrom {
         return true;
     }
 
+    // Whether firmware need not brake where chords like this one meet: they turn there by what the
+    // line turns from end to end, half of the corners at both ends included.
+    [[nodiscard]] bool is_passed(std::size_t end, double turn, double run) const {
+        if (flow_.role == Role::travel) return true;
+        const bool slowed = flow_.speed * flow_.speed * turn > options_.acceleration * run;
+        const double speed = slowed ? std::sqrt(options_.acceleration * run / turn) : flow_.speed;
+        return options_.step->allows(speed * (measured_.along[end] - measured_.along[first_]));
+    }
+
     // Whether chords of that length, in a bend like this, push so far above the modes that the
     // machine hardly answers, in steps of speed that firmware need not brake for. All in squares:
     // v² for r f0 l, and (r² - 1)³ / r >= share² as (v² - q)⁶ >= v² q⁵ share⁴ with q = (f0 l)².
@@ -88,8 +98,8 @@ class ChordFrom {
         const double speed = slowed ? most * run / turn : asked;
         const double acceleration = slowed ? most : asked * turn / run;
         if (acceleration <= options_.quiet || flow_.role == Role::travel) return true;
-        if (!tight && speed * turn * turn > options_.velocity_step * options_.velocity_step)
-            return false;
+        const bool steps = speed * turn * turn > options_.velocity_step * options_.velocity_step;
+        if (steps && !tight && !options_.step) return false;
         const double q = square * options_.frequency * options_.frequency, above = speed - q;
         if (above <= 0) return false;
         const double share = acceleration * quieter_, share2 = share * share, q2 = q * q;
@@ -129,10 +139,17 @@ Vec2 shifted(const Polyline& p, std::size_t before, std::size_t here, std::size_
     return p[here] + bulge * left_of(along / length(along));
 }
 
+// Half way between two directions; the second where there is none.
+Vec2 between(Vec2 before, Vec2 after) {
+    const Vec2 both = before + after;
+    const double size = length(both);
+    return size > 1e-9 ? both / size : after;
+}
+
 }  // namespace
 
 MeasuredRibbon measured(Ribbon ribbon) {
-    MeasuredRibbon result{std::move(ribbon), {0}, {0}, {}};
+    MeasuredRibbon result{std::move(ribbon), {0}, {0}, {}, {}};
     const Polyline& p = result.ribbon.points;
     result.at.reserve(p.size());
     result.turn.reserve(p.size());
@@ -142,10 +159,18 @@ MeasuredRibbon measured(Ribbon ribbon) {
         const bool on = i + 1 < flows.size() && flows[i] == flows[i + 1];
         result.same_until[i] = on ? result.same_until[i + 1] : static_cast<std::uint32_t>(i + 1);
     }
+    result.along.reserve(p.size());
+    Vec2 before{};
     for (std::size_t i = 1; i < p.size(); ++i) {
-        result.at.push_back(result.at.back() + distance(p[i - 1], p[i]));
+        const Vec2 way = p[i] - p[i - 1];
+        const double far = length(way);
+        const Vec2 after = far > 0 ? way / far : before;
+        result.at.push_back(result.at.back() + far);
         result.turn.push_back(result.turn.back() + (i + 1 < p.size() ? turn_at(p, i) : 0));
+        result.along.push_back(between(before, after));
+        before = after;
     }
+    if (!p.empty()) result.along.push_back(before);
     return result;
 }
 

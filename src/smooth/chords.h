@@ -9,7 +9,10 @@
 #pragma once
 #include <cstdint>
 
+#include <optional>
+
 #include "smooth/ring.h"
+#include "smooth/velocity_step.h"
 
 namespace bead {
 
@@ -24,6 +27,7 @@ struct ChordOptions {
     double acceleration = 1000;  // mm/s², across a bend
     double velocity_step = 14;   // mm/s, from chord to chord; more makes firmware brake
     double quiet = 30;           // mm/s², below which a bend does not matter
+    std::optional<VelocityStep> step;  // what the firmware allows, instead of velocity_step
 };
 
 // A ribbon with what is asked of it again for every set of options.
@@ -31,6 +35,7 @@ struct MeasuredRibbon {
     Ribbon ribbon;
     std::vector<double> at;                 // mm along, of every point
     std::vector<double> turn;               // rad, of all turns up to every point
+    std::vector<Vec2> along;                // direction at every point, half way through its turn
     std::vector<std::uint32_t> same_until;  // of every segment: behind those of its very flow
 };
 MeasuredRibbon measured(Ribbon ribbon);

@@ -138,6 +138,7 @@ class Builder {
             if (phase < 0) phase = phases++;
         }
         const auto phase = [&](const Chain& chain) {
+            if (!options_.stages.order) return 0;
             const Role role = lanes_[chain.lanes[0]].role;
             return phase_of[static_cast<std::size_t>(is_wall(role) ? Role::wall : role)];
         };

@@ -12,7 +12,7 @@ constexpr std::size_t few = 16;  // windings looked at while strokes are moved
 
 struct Search {
     const std::vector<Chain>& chains;
-    double radius;
+    const OrderOptions& options;
     std::size_t left;  // comparisons
 };
 
@@ -22,7 +22,10 @@ const Winding& winding_of(const Search& search, OrderedStroke stroke) {
 
 double cost(Search& search, OrderedStroke from, OrderedStroke to) {
     if (search.left > 0) --search.left;
-    return travel_cost(winding_of(search, from).out, winding_of(search, to).in, search.radius);
+    const StrokeEnd &out = winding_of(search, from).out, &in = winding_of(search, to).in;
+    const double far = distance(out.at, in.at);
+    if (far >= search.options.retracted_from) return far + search.options.retraction;
+    return travel_cost(out, in, search.options.radius);
 }
 
 struct Reached {
@@ -199,7 +202,7 @@ std::vector<OrderedStroke> first_order(const std::vector<Chain>& chains,
 std::vector<OrderedStroke> ordered(const std::vector<Chain>& chains, const std::vector<int>& phases,
                                    Vec2 start, const OrderOptions& options) {
     std::vector<OrderedStroke> strokes = first_order(chains, phases, start, options);
-    Search search{chains, options.radius, options.effort};
+    Search search{chains, options, options.effort};
     std::vector<OrderedStroke> best = strokes;
     double least = choose_roughly(search, best, start);
     strokes = best;

@@ -76,6 +76,10 @@ class Smoothing {
     std::vector<OrderedStroke> order(const std::vector<int>& phases) const {
         OrderOptions order;
         order.radius = options_.tolerances.travel;
+        if (options_.retraction > 0) {
+            order.retracted_from = travel_.shortest_retracted();
+            order.retraction = options_.retraction;
+        }
         order.effort = 30'000 + 30 * points_of(layer_);
         if (options_.stages.order) return ordered(chains_, phases, start_, order);
         std::vector<OrderedStroke> result;
@@ -87,11 +91,17 @@ class Smoothing {
         if (distance(from.at, to.at) <= same_place) return {};
         Ribbon travel;
         const Flow flow{0, 0, Role::travel, 0};
-        const TravelLine line = options_.stages.order
-                                    ? travel_line(from, to, options_.tolerances.travel)
-                                    : TravelLine{{from.at, to.at}, true};
-        for (const Vec2 point : line.points) append_point(travel, point, flow);
+        for (const Vec2 point : way(from, to)) append_point(travel, point, flow);
         return travel;
+    }
+
+    // The nozzle stands while filament is pulled back: there is nothing to turn out of then.
+    Polyline way(const StrokeEnd& from, const StrokeEnd& to) const {
+        const Polyline straight{from.at, to.at};
+        const bool stops = options_.retraction > 0;
+        if (!options_.stages.order || (stops && travel_.is_retracted(straight))) return straight;
+        Polyline turned = travel_line(from, to, options_.tolerances.travel).points;
+        return stops && travel_.is_retracted(turned) ? straight : turned;
     }
 
     std::vector<LaidStroke> laid(const std::vector<OrderedStroke>& order) {

@@ -9,8 +9,10 @@
 //     const SmoothedLayer after = smoothed(layer, {.modes = {14, 22}});
 #pragma once
 #include <array>
+#include <optional>
 
 #include "geom/vec.h"
+#include "smooth/velocity_step.h"
 #include "toolpath/path.h"
 
 namespace bead {
@@ -34,6 +36,9 @@ struct SmoothOptions {
     double point_budget = 1.2;            // the layer's points may grow by this factor
     double link = 3;                      // mm, from one nested loop to the next
     Vec2 start{};                         // where the nozzle is before the layer
+    // mm of travel that pulling filament back takes as long as; 0: travel does not stop for it.
+    double retraction = 0;
+    std::optional<VelocityStep> step;  // of the firmware that will run it, where that is known
 };
 
 struct SmoothedLayer {

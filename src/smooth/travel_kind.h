@@ -23,9 +23,10 @@ class TravelKind {
     // One path, level at z.
     [[nodiscard]] Path path_along(const Polyline& points, double z) const;
 
-  private:
     [[nodiscard]] bool is_retracted(const Polyline& points) const;
+    [[nodiscard]] double shortest_retracted() const { return shortest_; }  // mm
 
+  private:
     TravelPace pace_;
     double shortest_;       // mm, of what is retracted
     bool by_walls_ = true;  // of those as long only what crosses a wall

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/error.h"
 #include "gcode/arc_centre.h"
 #include "gcode/curve.h"
 #include "gcode/text.h"
@@ -79,7 +80,7 @@ TEST(Arcs, lie_in_the_plane_chosen_and_go_round_more_than_once) {
 
 TEST(Arcs, without_a_circle_are_no_moves) {
     for (const char* arc : {"G2 X5 Y5", "G2 X5 I0 J0", "G3 X1 R4", "G2 X5 R0", "G2 X5 I", "G2 F9",
-                            "G2 X5 I1 P101", "G2 X5 I1 P-1", "G2 X5 I2000000"}) {
+                            "G2 X5 I1 P101", "G2 X5 I1 P-1"}) {
         const Reading reading =
             reading_of("G1 X1 F60\n" + std::string(arc) + "\nG1 Y1\n", Firmware::marlin_jerk);
         EXPECT_TRUE(reading.all<Arc>().empty()) << arc;
@@ -87,6 +88,11 @@ TEST(Arcs, without_a_circle_are_no_moves) {
         EXPECT_GE(reading.report.malformed, 1) << arc;
         EXPECT_EQ(reading.report.first_malformed, 2) << arc;
     }
+}
+
+TEST(Arcs, of_a_kilometre_are_refused) {
+    for (const char* arc : {"G2 X5 I2000000", "G3 X5 J-100000000", "G2 X5 R2000000"})
+        EXPECT_THROW(reading_of(arc, Firmware::marlin_jerk), Error) << arc;
 }
 
 TEST(Arcs, are_taken_as_each_firmware_takes_them) {

@@ -69,6 +69,7 @@ TEST(LayerReader, CutsArcsIntoChords) {
 TEST(LayerReader, RefusesArcsThatCannotBe) {
     EXPECT_THROW(layers_of("G28\nG1 X10 Z.2\nG3 X-10 Y0 I-400000 J0 E3\n"), Error);
     EXPECT_THROW(layers_of("G28\nG1 X10 Z.2\nG3 X-10 Y0 I-2 J0 E3\n"), Error);
+    EXPECT_THROW(layers_of("G28\nG1 X0 Z.2\nG2 X10 Y0 I100000000 J0 E1\n"), Error);
 }
 
 TEST(LayerPlan, TakesBeadsFromFilament) {

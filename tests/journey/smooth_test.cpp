@@ -256,7 +256,8 @@ TEST(Smooth, RefusesFilesThatAreNoPrint) {
     for (const std::string& text :
          {std::string("G28\nG1 X10 F600\nG1 Y10\n"), std::string("GCDE\1\2\3"),
           std::string("PK\3\4zip"), std::string("hello\n"), std::string(),
-          std::string("G28\nG1 X10 Z.2\nG3 X-10 Y0 I-400000 J0 E3\n")}) {
+          std::string("G28\nG1 X10 Z.2\nG3 X-10 Y0 I-400000 J0 E3\n"),
+          std::string("G28\nG1 X0 Z.2\nG2 X10 Y0 I100000000 J0 E1\n")}) {
         const std::string file = folder.write("a.gcode", text);
         const Outcome outcome = beadwork("smooth " + file + " -o " + (folder / "b.gcode"));
         EXPECT_EQ(outcome.status, 3) << text << outcome.err;

@@ -46,6 +46,44 @@ RC_GTEST_PROP(Chords, StayNearTheLine, ()) {
     RC_ASSERT(after.points.back() == before.points.back());
 }
 
+// Round bends at any speed: firmware that lets each axis step by so much does not brake in them.
+RC_GTEST_PROP(Chords, StepByNoMoreThanTheFirmwareAllows, ()) {
+    const double radius = number_between(1, 20), jerk = number_between(4, 12);
+    Polyline loop = round_loop({}, radius, 4000);
+    loop.push_back(loop.front());
+    ChordOptions options;
+    options.step = VelocityStep{.x = jerk, .y = 1.5 * jerk};
+    options.acceleration = 1e6;  // the bend itself does not slow
+    const Polyline chords = chorded(measured(ribbon_of(loop, Role::wall)), options).points;
+    // Ends stay where they are and the last chord is as long as it comes out: not their neighbours.
+    for (std::size_t i = 2; i + 3 < chords.size(); ++i) {
+        const Vec2 in = chords[i] - chords[i - 1], out = chords[i + 1] - chords[i];
+        const Vec2 step = 50 * (out / length(out) - in / length(in));
+        RC_ASSERT(std::abs(step.x) < 1.1 * jerk);
+        RC_ASSERT(std::abs(step.y) < 1.1 * 1.5 * jerk);
+    }
+}
+
+// A right angle at square corner velocity is Klipper's own definition; small turns are what counts.
+TEST(VelocityStep, OfAFirmwareIsWhatItPassesCornersAt) {
+    Limits limits;
+    limits.jerk = {8, 9, 0.4, 1.5};
+    EXPECT_TRUE(velocity_step(Firmware::marlin_jerk, limits).allows({8, -9}));
+    EXPECT_FALSE(velocity_step(Firmware::prusa, limits).allows({0, 9.1}));
+    const double turn = 0.1, half = std::cos(turn / 2);
+    const auto passed = [&](double acceleration_deviation) {
+        return std::sqrt(acceleration_deviation * half / (1 - half));
+    };
+    const auto step_at = [&](double speed) { return Vec2{2 * speed * std::sin(turn / 2), 0}; };
+    const double klipper =
+        passed(limits.square_corner_velocity * limits.square_corner_velocity * 0.41421);
+    EXPECT_TRUE(velocity_step(Firmware::klipper, limits).allows(step_at(0.999 * klipper)));
+    EXPECT_FALSE(velocity_step(Firmware::klipper, limits).allows(step_at(1.002 * klipper)));
+    const double marlin = passed(limits.acceleration * limits.junction_deviation);
+    EXPECT_TRUE(velocity_step(Firmware::marlin_jd, limits).allows(step_at(0.999 * marlin)));
+    EXPECT_FALSE(velocity_step(Firmware::marlin_jd, limits).allows(step_at(1.002 * marlin)));
+}
+
 // Neither smaller nor larger than the circle, and its chords push well above the modes.
 TEST(Chords, KeepACirclesAreaAndLeaveTheModes) {
     for (const double radius : {4.2, 17.2, 60.0}) {

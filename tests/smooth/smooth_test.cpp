@@ -176,6 +176,21 @@ TEST(Smooth, SmoothingTwiceDoesNoHarm) {
         }
 }
 
+// A nozzle that stands while filament is pulled back gains nothing by turning into its travel, and
+// a way without it may be longer.
+TEST(Smooth, TravelThatPullsFilamentBackIsStraightAndRare) {
+    Toolpath layer = plate();
+    for (Path& path : layer) path.retracted = path.role == Role::travel && length(path) > 3;
+    const auto retracted = [](const Toolpath& travels) {
+        return std::ranges::count_if(travels, [](const Path& path) { return path.retracted; });
+    };
+    SmoothOptions stopping;
+    stopping.retraction = 40;
+    const Toolpath after = smoothed(layer, stopping).path;
+    for (const Path& path : after) EXPECT_TRUE(!path.retracted || path.points.size() == 2);
+    EXPECT_LE(retracted(after), retracted(smoothed(layer).path));
+}
+
 TEST(Smooth, MakesTheEngineBlockNoLongerAndLessAngular) {
     const Toolpath before = sliced_section(engine_block(75));
     const SmoothedLayer after = smoothed(before);
