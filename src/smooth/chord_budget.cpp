@@ -40,6 +40,7 @@ constexpr std::array<Rung, 13> rungs = [] {
     step.rounds_infill = false, add();
     return steps;
 }();
+constexpr double near_enough = 0.02;  // of the points, that may be left over
 constexpr double quietest = 20, loudest = 1000;  // mm/s²
 constexpr double corner_frequency = 30;          // Hz: chords of some 0.6 mm, passed at 20 mm/s
 constexpr double most_braked = 6;  // times slower than asked, where two chords of a bend meet
@@ -83,7 +84,9 @@ class Budget {
         double low = quietest, high = loudest;
         for (int halving = 0; halving < 6; ++halving) {
             const double middle = std::sqrt(low * high);
-            (fits(heeded(rung), middle) ? high : low) = middle;
+            const double left = points_left(heeded(rung), middle);
+            (left >= 0 ? high : low) = middle;
+            if (left >= 0 && left < near_enough * most_) break;
         }
         return made(heeded(rung), high);
     }
