@@ -24,7 +24,7 @@ struct VibrationCall {
     std::string shaper = "none";
     double tuning = 1, jerk = TimeLaw{}.jerk;
     bool feed_forward = false;
-    std::string csv, picture, samples;
+    std::string csv, picture, over_time, samples;
     MachineOptions machine;
     OutputOptions output;
 };
@@ -67,9 +67,11 @@ class Listening {
         : meter_(machine, law, time_step),
           motion_(filament, planned_by(law),
                   [this](const MotionSegment& segment) { meter_.add(segment); }) {
-        if (!samples.empty()) write_samples(samples);
+        if (!samples.empty()) begin_samples(samples);
+        meter_.listen([this](const ResponseSample& sample) { hear(sample); });
     }
     void add(const MotionEvent& event) { motion_.add(event); }
+    [[nodiscard]] std::vector<RmsWindow> over_time() const { return over_time_.windows(); }
     Response finish() {
         motion_.finish();
         Response response = meter_.finish();
@@ -81,16 +83,19 @@ class Listening {
     static std::optional<TimeLaw> planned_by(const TimeLaw& law) {
         return law.profile == SpeedProfile::trapezoid ? std::nullopt : std::optional(law);
     }
-    void write_samples(const std::string& place) {
+    void begin_samples(const std::string& place) {
         file_.emplace(place);
         file_->stream() << "time_s,x_mm,y_mm,nozzle_x_mm,nozzle_y_mm,ax_mm_s2,ay_mm_s2,prints\n";
-        meter_.listen([this](const ResponseSample& s) {
-            file_->stream() << fmt::format("{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.1f},{:.1f},{}\n",
-                                           s.time, s.asked.x, s.asked.y, s.nozzle.x, s.nozzle.y,
-                                           s.acceleration.x, s.acceleration.y, int(s.prints));
-        });
+    }
+    void hear(const ResponseSample& s) {
+        over_time_.add(s.acceleration);
+        if (!file_) return;
+        file_->stream() << fmt::format("{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.1f},{:.1f},{}\n",
+                                       s.time, s.asked.x, s.asked.y, s.nozzle.x, s.nozzle.y,
+                                       s.acceleration.x, s.acceleration.y, int(s.prints));
     }
 
+    RmsOverTime over_time_{time_step, 400};
     std::optional<OutputFile> file_;
     ResponseMeter meter_;
     PrintMotion motion_;
@@ -122,7 +127,7 @@ VibrationResult heard(const VibrationCall& options, const Console& console) {
     std::vector<std::unique_ptr<Listening>> all;
     for (const std::string& name : options.laws) {
         const TimeLaw law = law_of(name, options, printer.limits);
-        result.laws.push_back({label(name, law, options), law, {}});
+        result.laws.push_back({label(name, law, options), law, {}, {}});
         all.push_back(
             std::make_unique<Listening>(shaken, filament, law, all.empty() ? options.samples : ""));
     }
@@ -132,9 +137,16 @@ VibrationResult heard(const VibrationCall& options, const Console& console) {
                });
     for (std::size_t i = 0; i < all.size(); ++i) {
         result.laws[i].response = all[i]->finish();
+        result.laws[i].over_time = all[i]->over_time();
         check_extruded(result.laws[i].response, options.file);
     }
     return result;
+}
+
+void write(const std::string& place, const std::string& text) {
+    OutputFile file(place);
+    file.stream() << text;
+    file.keep();
 }
 
 void vibration(const VibrationCall& options) {
@@ -146,12 +158,9 @@ void vibration(const VibrationCall& options) {
         write_spectra(file.stream(), result);
         file.keep();
     }
-    if (!options.picture.empty()) {
-        OutputFile file(options.picture);
-        file.stream() << spectra_picture(result,
-                                         std::filesystem::path(options.file).filename().string());
-        file.keep();
-    }
+    const std::string title = std::filesystem::path(options.file).filename().string();
+    if (!options.picture.empty()) write(options.picture, spectra_picture(result, title));
+    if (!options.over_time.empty()) write(options.over_time, over_time_picture(result, title));
     if (options.output.json.empty()) return;
     Json json = result_head("vibration", {options.file});
     json.update(vibration_json(result));
@@ -184,6 +193,8 @@ void declare_vibration(CLI::App& command, VibrationCall& options) {
         ->type_name("FILE.csv");
     command.add_option("--csv", options.csv, "write the spectra")->type_name("OUT.csv");
     command.add_option("--picture", options.picture, "draw the spectra")->type_name("OUT.svg");
+    command.add_option("--over-time", options.over_time, "draw how much it shakes along the print")
+        ->type_name("OUT.svg");
     command.add_option("--samples", options.samples, "write the first law's motion, a row per ms")
         ->type_name("OUT.csv");
 }

@@ -156,4 +156,31 @@ std::string spectra_picture(const VibrationResult& result, const std::string& ti
     return chart(plot);
 }
 
+std::string over_time_picture(const VibrationResult& result, const std::string& title) {
+    double end = 0, most = 0;
+    for (const LawResponse& law : result.laws)
+        for (const RmsWindow& window : law.over_time) {
+            end = std::max(end, window.to);
+            most = std::max(most, window.rms);
+        }
+    const bool long_one = end > 600;
+    const double unit = long_one ? 60 : 1;  // s
+    Chart plot{.title = title,
+               .x = {long_one ? "time, min" : "time, s", 0, end > 0 ? end / unit : 1},
+               .y = {"acceleration, root mean square, mm/s²", 0, most > 0 ? 1.05 * most : 1},
+               .series = {}};
+    for (std::size_t i = 0; i < result.laws.size(); ++i) {
+        ChartSeries series{.name = result.laws[i].name,
+                           .ink = chart_inks[i % std::size(chart_inks)],
+                           .mark = ChartMark::curve,
+                           .points = {}};
+        for (const RmsWindow& window : result.laws[i].over_time) {
+            series.points.push_back({window.from / unit, window.rms});
+            series.points.push_back({window.to / unit, window.rms});
+        }
+        plot.series.push_back(std::move(series));
+    }
+    return chart(plot);
+}
+
 }  // namespace bead::cli

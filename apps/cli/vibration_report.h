@@ -7,6 +7,7 @@
 #include "json_result.h"
 #include "vibration/drive.h"
 #include "vibration/response.h"
+#include "vibration/rms_over_time.h"
 #include "vibration/time_law.h"
 
 namespace bead::cli {
@@ -15,6 +16,7 @@ struct LawResponse {
     std::string name;
     TimeLaw law;
     Response response;
+    std::vector<RmsWindow> over_time;
 };
 
 struct VibrationResult {
@@ -28,5 +30,7 @@ Json vibration_json(const VibrationResult& result);
 void write_spectra(std::ostream& out, const VibrationResult& result);
 // The spectra up to 60 Hz, as SVG.
 std::string spectra_picture(const VibrationResult& result, const std::string& title);
+// The acceleration's root mean square over the time of the print, as SVG.
+std::string over_time_picture(const VibrationResult& result, const std::string& title);
 
 }  // namespace bead::cli

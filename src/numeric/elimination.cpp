@@ -11,8 +11,8 @@
 namespace bead {
 namespace {
 
-constexpr std::size_t small = 1000; // points of a part that is cut in the middle without a choice
-constexpr std::size_t leaf = 20;    // points; fewer cost more in book-keeping than they save
+constexpr std::size_t small = 1000;  // points of a part that is cut in the middle without a choice
+constexpr std::size_t leaf = 20;     // points; fewer cost more in book-keeping than they save
 
 // Where a point is during the recursion: in the part being cut, on its far side, or in no part any
 // more because it is in a separator above.
@@ -77,7 +77,9 @@ std::vector<float> Dissection::candidates(const Part& part, int axis) const {
     std::vector<float> at(part.points.size());
     std::ranges::transform(part.points, at.begin(),
                            [&](int point) { return coordinate(point, axis); });
-    const auto place = [&](double share) { return at.begin() + std::ptrdiff_t(share * double(at.size())); };
+    const auto place = [&](double share) {
+        return at.begin() + std::ptrdiff_t(share * double(at.size()));
+    };
     const auto middle = place(0.5), lower = place(0.42), upper = place(0.58);
     std::nth_element(at.begin(), middle, at.end());
     if (part.points.size() < small) return {*middle};

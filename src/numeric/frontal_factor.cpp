@@ -126,14 +126,14 @@ class Factorisation {
 
     FrontalFactor& factor_;
     const ElementMatrix& matrix_;
-    std::vector<int> local_;           // a point's first row in the front
-    std::vector<double> sum_;          // the front, column by column, the lower triangle
-    std::size_t size_ = 0;             // rows of the front
-    std::vector<double> values_;       // of an element's matrix
-    std::vector<double> before_;       // what stood on the diagonal
+    std::vector<int> local_;            // a point's first row in the front
+    std::vector<double> sum_;           // the front, column by column, the lower triangle
+    std::size_t size_ = 0;              // rows of the front
+    std::vector<double> values_;        // of an element's matrix
+    std::vector<double> before_;        // what stood on the diagonal
     std::vector<std::size_t> waiting_;  // fronts without a parent yet
-    std::vector<double> remainders_;   // theirs, lower triangles column by column
-    std::vector<std::size_t> at_;      // rows of a remainder's points
+    std::vector<double> remainders_;    // theirs, lower triangles column by column
+    std::vector<std::size_t> at_;       // rows of a remainder's points
 };
 
 // Where the points of each front are in the order of elimination.

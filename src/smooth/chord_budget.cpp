@@ -40,7 +40,7 @@ constexpr std::array<Rung, 13> rungs = [] {
     step.rounds_infill = false, add();
     return steps;
 }();
-constexpr double near_enough = 0.02;  // of the points, that may be left over
+constexpr double near_enough = 0.02;             // of the points, that may be left over
 constexpr double quietest = 20, loudest = 1000;  // mm/s²
 constexpr double corner_frequency = 30;          // Hz: chords of some 0.6 mm, passed at 20 mm/s
 constexpr double most_braked = 6;  // times slower than asked, where two chords of a bend meet

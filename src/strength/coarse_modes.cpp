@@ -6,10 +6,10 @@
 namespace bead {
 namespace {
 
-constexpr double coarsest = 0.5;    // of the bead's width, pixels
-constexpr double least_step = 1.5;  // from pixels to coarser ones
-constexpr int count = 8;            // modes, as many as a solver takes at once
-constexpr double tolerance = 0.04;  // of the first; the others are guesses anyway
+constexpr double coarsest = 0.5;         // of the bead's width, pixels
+constexpr double least_step = 1.5;       // from pixels to coarser ones
+constexpr int count = 8;                 // modes, as many as a solver takes at once
+constexpr double tolerance = 0.04;       // of the first; the others are guesses anyway
 constexpr double start_tolerance = 0.4;  // of the first, where all are guesses
 constexpr double other_tolerance = 4;
 constexpr int most_vectors = 64;
@@ -64,7 +64,8 @@ Buckling CoarseModes::within(double tolerance, std::size_t variant) const {
     const PixelSolver& solver = rig_->solver(variant);
     BucklingOptions how{
         .count = count, .tolerance = tolerance, .others = other_tolerance, .most = most_vectors};
-    if (coarser_) how.start = coarser_->start(coarser_->within(start_tolerance, variant), rig_->model().grid);
+    if (coarser_)
+        how.start = coarser_->start(coarser_->within(start_tolerance, variant), rig_->model().grid);
     return buckling(solver, solver.solve_only(rig_->load(variant)), how);
 }
 

@@ -16,7 +16,7 @@ namespace {
 constexpr double pixels_per_bead = 6;
 constexpr double coarser = 1.5;    // than the pixels, those on which buckling is tried first
 constexpr double far_above = 1.2;  // more than coarse pixels are wrong by, at most 13 % seen
-constexpr double buckling_tolerance = 0.01;   // of the load, where the next one is a tenth higher
+constexpr double buckling_tolerance = 0.01;  // of the load, where the next one is a tenth higher
 
 // mm³ per mm of height.
 double volume_per_height(std::span<const Toolpath> layers) {

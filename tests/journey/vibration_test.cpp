@@ -65,12 +65,15 @@ TEST(VibrationCommand, TellsWhatTheContractNames) {
 TEST(VibrationCommand, SetsLawsSideBySide) {
     const Folder folder;
     const std::string file = folder.write("rings.gcode", rings(false));
-    const std::string csv = folder / "psd.csv", picture = folder / "psd.svg";
-    const Outcome told = beadwork("vibration " + file + " --printer ldam-1000 --law K0,K2,K1Mf " +
-                                  "--json - --csv " + csv + " --picture " + picture);
+    const std::string csv = folder / "psd.csv", picture = folder / "psd.svg",
+                      over_time = folder / "rms.svg";
+    const Outcome told =
+        beadwork("vibration " + file + " --printer ldam-1000 --law K0,K2,K1Mf " +
+                 "--json - --csv " + csv + " --picture " + picture + " --over-time " + over_time);
     ASSERT_EQ(told.status, 0) << told.err;
     EXPECT_TRUE(content(csv).starts_with("freq_hz,K0,K2,K1Mf\n0,"));
     EXPECT_TRUE(content(picture).ends_with("</svg>\n"));
+    EXPECT_NE(content(over_time).find("root mean square"), std::string::npos);
     const std::string laws = told.out.substr(told.out.find("\"laws\""));
     const std::string last = laws.substr(laws.find("K1Mf"));
     EXPECT_LT(vibration_number(last, "rms_acceleration_mm_s2"),
