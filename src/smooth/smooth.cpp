@@ -97,7 +97,7 @@ class Smoothing {
 
     // The nozzle stands while filament is pulled back: there is nothing to turn out of then.
     Polyline way(const StrokeEnd& from, const StrokeEnd& to) const {
-        const Polyline straight{from.at, to.at};
+        Polyline straight{from.at, to.at};
         const bool stops = options_.retraction > 0;
         if (!options_.stages.order || (stops && travel_.is_retracted(straight))) return straight;
         Polyline turned = travel_line(from, to, options_.tolerances.travel).points;
