@@ -18,7 +18,4 @@ double firmware_time(const Toolpath& layer, const FirmwareClock& clock, const Mo
 // mm of travel at that speed that pulling filament back takes as long as, once.
 double retraction_way(double speed, const FirmwareClock& clock, const MotionStyle& style);
 
-// mm of travel at that speed that pulling filament back takes as long as, once.
-double retraction_way(double speed, const FirmwareClock& clock, const MotionStyle& style);
-
 }  // namespace bead::cli

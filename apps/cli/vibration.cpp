@@ -63,12 +63,13 @@ std::string label(const std::string& name, const TimeLaw& law, const VibrationCa
 class Listening {
   public:
     Listening(const ShakenMachine& machine, double filament, const TimeLaw& law,
-              const std::string& samples)
+              const std::string& samples, bool over_time)
         : meter_(machine, law, time_step),
           motion_(filament, planned_by(law),
                   [this](const MotionSegment& segment) { meter_.add(segment); }) {
         if (!samples.empty()) begin_samples(samples);
-        meter_.listen([this](const ResponseSample& sample) { hear(sample); });
+        if (over_time || file_)
+            meter_.listen([this](const ResponseSample& sample) { hear(sample); });
     }
     void add(const MotionEvent& event) { motion_.add(event); }
     [[nodiscard]] std::vector<RmsWindow> over_time() const { return over_time_.windows(); }
@@ -128,8 +129,8 @@ VibrationResult heard(const VibrationCall& options, const Console& console) {
     for (const std::string& name : options.laws) {
         const TimeLaw law = law_of(name, options, printer.limits);
         result.laws.push_back({label(name, law, options), law, {}, {}});
-        all.push_back(
-            std::make_unique<Listening>(shaken, filament, law, all.empty() ? options.samples : ""));
+        all.push_back(std::make_unique<Listening>(
+            shaken, filament, law, all.empty() ? options.samples : "", !options.over_time.empty()));
     }
     judge_file(options.file, options.machine, console, Judging::motion,
                [&](const MotionEvent& event) {

@@ -78,17 +78,21 @@ class Budget {
         : strokes_(strokes), options_(options), most_(most) {}
 
     [[nodiscard]] std::vector<ChordedStroke> chorded_strokes() {
-        if (!options_.stages.chords || fits(rungs[0], quietest)) return made(rungs[0], quietest);
+        if (!options_.stages.chords || points_left(rungs[0], quietest) >= 0)
+            return made(rungs[0], quietest, 0);  // which leaves nothing to round
         std::size_t rung = 0;
-        while (rung + 1 < rungs.size() && !fits(heeded(rung), loudest)) ++rung;
+        double spare = points_left(heeded(rung), loudest);
+        while (spare < 0 && rung + 1 < rungs.size()) spare = points_left(heeded(++rung), loudest);
         double low = quietest, high = loudest;
         for (int halving = 0; halving < 6; ++halving) {
             const double middle = std::sqrt(low * high);
             const double left = points_left(heeded(rung), middle);
             (left >= 0 ? high : low) = middle;
-            if (left >= 0 && left < near_enough * most_) break;
+            if (left < 0) continue;
+            spare = left;
+            if (left < near_enough * most_) break;
         }
-        return made(heeded(rung), high);
+        return made(heeded(rung), high, options_.step ? spare : 0);
     }
 
   private:
@@ -100,10 +104,6 @@ class Budget {
         if (options_.step && mode > corner_frequency)
             rung.rounds_walls = rung.rounds_infill = false;
         return rung;
-    }
-
-    [[nodiscard]] bool fits(const Rung& rung, double loudness) {
-        return points_left(rung, loudness) >= 0;
     }
 
     // Below 0: there are too few.
@@ -128,10 +128,10 @@ class Budget {
         return count;
     }
 
-    // Points that are left round strokes that the rung does not.
-    [[nodiscard]] std::vector<ChordedStroke> made(const Rung& rung, double loudness) {
+    // `left`: points that round strokes that the rung does not.
+    [[nodiscard]] std::vector<ChordedStroke> made(const Rung& rung, double loudness,
+                                                  double left) const {
         const ChordOptions chords = chord_options(options_, rung, loudness);
-        double left = options_.step ? points_left(rung, loudness) : 0;
         std::vector<ChordedStroke> result;
         result.reserve(strokes_.size());
         for (const LaidStroke& laid : strokes_) {

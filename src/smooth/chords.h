@@ -8,7 +8,6 @@
 // chords cut off as much as they add and areas stay.
 #pragma once
 #include <cstdint>
-
 #include <optional>
 
 #include "smooth/ring.h"
