@@ -3,11 +3,13 @@
 # locals that hide locals are faults.
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   set(shadowing -Wshadow=local)
+  set(compiler_memory --param=ggc-min-heapsize=1048576)  # kB, before it collects garbage: a tenth of its time
 endif()
 add_library(bead_settings INTERFACE)
 target_include_directories(bead_settings INTERFACE ${PROJECT_SOURCE_DIR}/src)
 target_compile_options(bead_settings INTERFACE
   -Wall -Wextra -Wconversion -Wsuggest-override -Wzero-as-null-pointer-constant ${shadowing} -Werror
+  ${compiler_memory}
   -ffp-contract=off -fno-math-errno)
 if(BEAD_CHECK_EXPECTS)
   target_compile_definitions(bead_settings INTERFACE BEAD_CHECK_EXPECTS)

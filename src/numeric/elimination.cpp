@@ -25,9 +25,7 @@ struct Part {
 class Dissection {
   public:
     explicit Dissection(const ElementPattern& pattern)
-        : pattern_(pattern),
-          side_(pattern.places.size(), taken),
-          counted_(pattern.places.size(), 0) {}
+        : pattern_(pattern), side_(pattern.places.size(), taken) {}
 
     // The fronts of the part, its root last. None of its points is on a side.
     int dissect(Part part, std::vector<Front>& fronts);
@@ -44,14 +42,12 @@ class Dissection {
     [[nodiscard]] std::vector<float> candidates(const Part& part, int axis) const;
     void cut(const Part& part, int axis);
     void divide(const Part& part, int axis, float at);
-    std::size_t separator_size(const Part& part, int axis, float at);
-    std::vector<int> take_separator(const Part& part);
-    Part half(const Part& part, Side side) const;
+    [[nodiscard]] float smallest_cut(const Part& part, int axis,
+                                     const std::vector<float>& places) const;
+    std::vector<int> take_separator(const Part& part, std::array<Part, 2>& halves);
 
     const ElementPattern& pattern_;
     std::vector<std::uint8_t> side_;
-    std::vector<int> counted_;  // the last count that a point was in
-    int counts_ = 0;
 };
 
 int Dissection::longest_axis(const Part& part) const {
@@ -93,14 +89,7 @@ void Dissection::cut(const Part& part, int axis) {
     const std::vector<float> places = candidates(part, axis);
     divide(part, axis, places.front());
     if (places.size() == 1) return;
-    float best = places.front();
-    std::size_t least = separator_size(part, axis, best);
-    for (const float at : std::span(places).subspan(1)) {
-        const std::size_t size = separator_size(part, axis, at);
-        if (size >= least) continue;
-        least = size;
-        best = at;
-    }
+    const float best = smallest_cut(part, axis, places);
     if (best != places.front()) divide(part, axis, best);
 }
 
@@ -109,28 +98,26 @@ void Dissection::divide(const Part& part, int axis, float at) {
         side_[std::size_t(point)] = coordinate(point, axis) < at ? near : far;
 }
 
-// How many points a cut there would take: the far ones of elements that it goes through. The part
-// is divided, no matter where.
-std::size_t Dissection::separator_size(const Part& part, int axis, float at) {
-    ++counts_;
-    std::size_t size = 0;
+// The one that goes through the fewest elements; the first of several. The part is divided, no
+// matter where.
+float Dissection::smallest_cut(const Part& part, int axis, const std::vector<float>& places) const {
+    std::vector<std::size_t> crossed(places.size(), 0);
     for (const int element : part.elements) {
-        bool is_near = false, is_far = false;
+        float low = std::numeric_limits<float>::max(), high = -low;
         for (const int point : points_of(element)) {
-            const bool before = coordinate(point, axis) < at;
-            is_near |= before && side_[std::size_t(point)] != taken;
-            is_far |= !before && side_[std::size_t(point)] != taken;
+            if (side_[std::size_t(point)] == taken) continue;
+            low = std::min(low, coordinate(point, axis));
+            high = std::max(high, coordinate(point, axis));
         }
-        if (!is_near || !is_far) continue;
-        for (const int point : points_of(element))
-            if (coordinate(point, axis) >= at && side_[std::size_t(point)] != taken &&
-                std::exchange(counted_[std::size_t(point)], counts_) != counts_)
-                ++size;
+        for (std::size_t k = 0; k < places.size(); ++k)
+            crossed[k] += low < places[k] && places[k] <= high;
     }
-    return size;
+    return places[std::size_t(std::ranges::min_element(crossed) - crossed.begin())];
 }
 
-std::vector<int> Dissection::take_separator(const Part& part) {
+// The far points of elements that have points on both sides are taken out of both; what is left
+// goes into the halves.
+std::vector<int> Dissection::take_separator(const Part& part, std::array<Part, 2>& halves) {
     std::vector<int> separator;
     for (const int element : part.elements) {
         bool is_near = false, is_far = false;
@@ -138,6 +125,8 @@ std::vector<int> Dissection::take_separator(const Part& part) {
             is_near |= side_[std::size_t(point)] == near;
             is_far |= side_[std::size_t(point)] == far;
         }
+        if (is_near) halves[near].elements.push_back(element);
+        if (is_far && !is_near) halves[far].elements.push_back(element);
         if (!is_near || !is_far) continue;
         for (const int point : points_of(element))
             if (side_[std::size_t(point)] == far) separator.push_back(point);
@@ -145,32 +134,20 @@ std::vector<int> Dissection::take_separator(const Part& part) {
     std::ranges::sort(separator);
     separator.erase(std::unique(separator.begin(), separator.end()), separator.end());
     for (const int point : separator) side_[std::size_t(point)] = taken;
-    return separator;
-}
-
-Part Dissection::half(const Part& part, Side side) const {
-    Part result;
-    result.points.reserve(part.points.size());
-    result.elements.reserve(part.elements.size());
     for (const int point : part.points)
-        if (side_[std::size_t(point)] == side) result.points.push_back(point);
-    for (const int element : part.elements)
-        if (std::ranges::any_of(points_of(element),
-                                [&](int point) { return side_[std::size_t(point)] == side; }))
-            result.elements.push_back(element);
-    return result;
+        if (side_[std::size_t(point)] != taken)
+            halves[side_[std::size_t(point)]].points.push_back(point);
+    return separator;
 }
 
 int Dissection::dissect(Part part, std::vector<Front>& fronts) {
     Front root;
     std::vector<int> children;
-    Part halves[2];
+    std::array<Part, 2> halves;
     if (part.points.size() > leaf) {
         const int axis = longest_axis(part);
         cut(part, axis);
-        root.own = take_separator(part);
-        halves[0] = half(part, near);
-        halves[1] = half(part, far);
+        root.own = take_separator(part, halves);
     }
     // Elements that lie wholly between points of the separator stay with it.
     if (halves[0].points.empty() || halves[1].points.empty()) {

@@ -22,9 +22,34 @@ class Sweep {
         values_.resize(factor.order.size() * block);
     }
 
-    // `x`: `columns` of them, at most `width`, one after the other; in place.
-    void solve(double* x, std::size_t rows, std::size_t columns) {
+    // `x`: `columns` right sides of `rows` each, at most `width`, one after the other; `to` is 0
+    // before.
+    void solve(const double* x, std::size_t rows, std::size_t columns, double* to) {
         load(x, rows, columns);
+        sweep();
+        store(to, rows, columns);
+    }
+
+  private:
+    static constexpr std::size_t block = width * b;
+
+    void load(const double* x, std::size_t rows, std::size_t columns) {
+        double* to = values_.data();
+        for (const std::size_t point : factor_.order)
+            for (std::size_t i = point * b; i < (point + 1) * b; ++i, to += width) {
+                std::fill_n(to, width, 0);
+                for (std::size_t k = 0; k < columns && factor_.held[i] == 0; ++k)
+                    to[k] = x[k * rows + i];
+            }
+    }
+    void store(double* x, std::size_t rows, std::size_t columns) const {
+        const double* from = values_.data();
+        for (const std::size_t point : factor_.order)
+            for (std::size_t i = point * b; i < (point + 1) * b; ++i, from += width)
+                for (std::size_t k = 0; k < columns; ++k) x[k * rows + i] = from[k];
+    }
+
+    void sweep() {
         const std::size_t fronts = factor_.tree.fronts.size();
         double* own = values_.data();
         const std::size_t* border = factor_.borders.data();
@@ -38,25 +63,6 @@ class Sweep {
             border -= factor_.tree.fronts[f].border.size();
             backward(factor_.panel(f), own, border);
         }
-        store(x, rows, columns);
-    }
-
-  private:
-    static constexpr std::size_t block = width * b;
-
-    void load(const double* x, std::size_t rows, std::size_t columns) {
-        double* to = values_.data();
-        for (const std::size_t point : factor_.order)
-            for (std::size_t i = point * b; i < (point + 1) * b; ++i, to += width)
-                for (std::size_t k = 0; k < std::size_t(width); ++k)
-                    to[k] = k < columns && factor_.held[i] == 0 ? x[k * rows + i] : 0;
-    }
-    void store(double* x, std::size_t rows, std::size_t columns) const {
-        std::fill(x, x + rows * columns, 0.0);
-        const double* from = values_.data();
-        for (const std::size_t point : factor_.order)
-            for (std::size_t i = point * b; i < (point + 1) * b; ++i, from += width)
-                for (std::size_t k = 0; k < columns; ++k) x[k * rows + i] = from[k];
     }
 
     void gather(const std::size_t* places, std::size_t count) {
@@ -116,16 +122,17 @@ std::vector<double> FrontalCholesky::solve(std::span<const double> right_sides, 
     BEAD_EXPECTS(!factor_.singular);
     const std::size_t rows = factor_.held.size();
     BEAD_EXPECTS(right_sides.size() == rows * std::size_t(columns));
-    std::vector<double> answer(right_sides.begin(), right_sides.end());
+    std::vector<double> answer(right_sides.size(), 0.0);
     with_block(factor_.tree.pattern.unknowns_per_point, [&](auto b) {
         if (columns == 1) {
-            Sweep<1, b()>(factor_).solve(answer.data(), rows, 1);
+            Sweep<1, b()>(factor_).solve(right_sides.data(), rows, 1, answer.data());
             return;
         }
         Sweep<panel_width, b()> sweep(factor_);
         constexpr auto width = std::size_t(panel_width);
         for (std::size_t first = 0; first < std::size_t(columns); first += width)
-            sweep.solve(&answer[first * rows], rows, std::min(width, std::size_t(columns) - first));
+            sweep.solve(&right_sides[first * rows], rows,
+                        std::min(width, std::size_t(columns) - first), &answer[first * rows]);
     });
     return answer;
 }

@@ -18,7 +18,7 @@ class Factorisation {
         : factor_(factor), matrix_(matrix), local_(factor.tree.pattern.places.size(), -1) {
         std::size_t most = 0;
         for (const Front& front : factor.tree.fronts) most = std::max(most, rows(front));
-        sum_.resize(most * most);
+        sum_.resize(most * stride(most));
     }
 
     // Fronts are in postorder: a front's children are the last ones still waiting.
@@ -36,7 +36,10 @@ class Factorisation {
     static std::size_t rows(const Front& front) {
         return (front.own.size() + front.border.size()) * std::size_t(b);
     }
-    double* column(std::size_t j) { return &sum_[j * size_]; }
+    static std::size_t stride(std::size_t rows) {
+        return std::size_t(front_stride(std::ptrdiff_t(rows)));
+    }
+    double* column(std::size_t j) { return &sum_[j * stride_]; }
 
     // Numbers the front's unknowns and clears its lower triangle.
     void begin(const Front& front) {
@@ -44,7 +47,8 @@ class Factorisation {
         for (const int point : front.own) local_[std::size_t(point)] = next++ * int(b);
         for (const int point : front.border) local_[std::size_t(point)] = next++ * int(b);
         size_ = rows(front);
-        for (std::size_t j = 0; j < size_; ++j) std::fill_n(column(j) + j, size_ - j, 0.0);
+        stride_ = stride(size_);
+        for (std::size_t j = 0; j < size_; ++j) std::fill_n(column(j) + j, stride_ - j, 0.0);
     }
 
     void assemble(const Front& front) {
@@ -104,6 +108,14 @@ class Factorisation {
         remainders_.resize(first);
     }
 
+    // Puts the numbers of each row side by side.
+    [[gnu::always_inline]] void keep(const double* from, std::ptrdiff_t columns,
+                                     std::ptrdiff_t rows, double* to) const {
+        const auto stride = std::ptrdiff_t(stride_);
+        for (std::ptrdiff_t i = 0; i < rows; ++i)
+            for (std::ptrdiff_t j = 0; j < columns; ++j) to[i * columns + j] = from[j * stride + i];
+    }
+
     // Factors the own part; what is left waits for the parent.
     void eliminate(std::size_t place) {
         const Front& front = factor_.tree.fronts[place];
@@ -116,9 +128,16 @@ class Factorisation {
             if (const double root = column(i)[i]; !(root * root > rounding * before_[i]))
                 factor_.singular = std::size_t(front.own[i / std::size_t(b)]) * std::size_t(b) +
                                    i % std::size_t(b);
-        double* const kept = &factor_.columns[factor_.begin[place]];
-        for (std::size_t j = 0; j < own; ++j)
-            std::copy(column(j) + j, column(j) + size_, kept + j * size_ + j);
+        double* kept = &factor_.panels[factor_.begin[place]];
+        for_strips(std::ptrdiff_t(own), std::ptrdiff_t(size_ - own),
+                   [&](std::ptrdiff_t first, std::ptrdiff_t columns, std::ptrdiff_t rows) {
+                       const double* const from = column(std::size_t(first)) + first;
+                       if (columns == strip_width)
+                           keep(from, strip_width, rows, kept);
+                       else
+                           keep(from, columns, rows, kept);
+                       kept += columns * rows;
+                   });
         for (std::size_t j = own; j < size_; ++j)
             remainders_.insert(remainders_.end(), column(j) + j, column(j) + size_);
         waiting_.push_back(place);
@@ -126,14 +145,14 @@ class Factorisation {
 
     FrontalFactor& factor_;
     const ElementMatrix& matrix_;
-    std::vector<int> local_;            // a point's first row in the front
-    std::vector<double> sum_;           // the front, column by column, the lower triangle
-    std::size_t size_ = 0;              // rows of the front
-    std::vector<double> values_;        // of an element's matrix
-    std::vector<double> before_;        // what stood on the diagonal
-    std::vector<std::size_t> waiting_;  // fronts without a parent yet
-    std::vector<double> remainders_;    // theirs, lower triangles column by column
-    std::vector<std::size_t> at_;       // rows of a remainder's points
+    std::vector<int> local_;             // a point's first row in the front
+    std::vector<double> sum_;            // the front, column by column, the lower triangle
+    std::size_t size_ = 0, stride_ = 0;  // rows of the front, and from column to column
+    std::vector<double> values_;         // of an element's matrix
+    std::vector<double> before_;         // what stood on the diagonal
+    std::vector<std::size_t> waiting_;   // fronts without a parent yet
+    std::vector<double> remainders_;     // theirs, lower triangles column by column
+    std::vector<std::size_t> at_;        // rows of a remainder's points
 };
 
 // Where the points of each front are in the order of elimination.
@@ -156,10 +175,11 @@ FrontalFactor frontal_factor(EliminationTree tree, const ElementMatrix& matrix,
     std::size_t end = 0;
     for (const Front& front : factor.tree.fronts) {
         factor.begin.push_back(end);
-        end += front.own.size() * block * (front.own.size() + front.border.size()) * block;
+        end += std::size_t(panel_size(std::ptrdiff_t(front.own.size() * block),
+                                      std::ptrdiff_t(front.border.size() * block)));
     }
     factor.begin.push_back(end);
-    factor.columns = std::make_unique_for_overwrite<double[]>(end);
+    factor.panels = std::make_unique_for_overwrite<double[]>(end);
     with_block(int(block), [&](auto b) { Factorisation<b()>(factor, matrix).run(); });
     return factor;
 }

@@ -21,11 +21,9 @@ using ElementMatrix = std::function<void(std::size_t element, std::span<double> 
 
 struct FrontalFactor {
     EliminationTree tree;
-    std::vector<std::uint8_t> held;  // unknowns that stay 0
-    // The columns of L of each front's own unknowns, from the front's first row down, one front
-    // after the other. What would lie above the diagonal is not set.
-    std::unique_ptr<double[]> columns;
-    std::vector<std::size_t> begin;       // of each front's columns, and where the last ends
+    std::vector<std::uint8_t> held;       // unknowns that stay 0
+    std::unique_ptr<double[]> panels;     // of one front after the other
+    std::vector<std::size_t> begin;       // of each front's panel, and where the last ends
     std::vector<std::size_t> order;       // the points as they are eliminated
     std::vector<std::size_t> borders;     // of one front after the other: places in that order
     std::optional<std::size_t> singular;  // an unknown at which K is not positive definite
@@ -33,7 +31,7 @@ struct FrontalFactor {
     [[nodiscard]] DensePanel panel(std::size_t front) const {
         const Front& f = tree.fronts[front];
         const std::ptrdiff_t block = tree.pattern.unknowns_per_point;
-        return {&columns[begin[front]], std::ptrdiff_t(f.own.size()) * block,
+        return {&panels[begin[front]], std::ptrdiff_t(f.own.size()) * block,
                 std::ptrdiff_t(f.border.size()) * block};
     }
 };

@@ -8,140 +8,147 @@ namespace {
 
 using Index = std::ptrdiff_t;
 
-constexpr Index width = panel_width;
+constexpr Index ahead = 256;
 
-// Eight numbers in two halves, each of which fits a wide register.
-struct PanelRow {
+// Of an unknown the values of eight right sides, in two halves, each of which fits a wide register.
+struct Eight {
     Lanes low, high;
+
+    [[gnu::always_inline]] static Eight row(const double* rows, Index i) {
+        const double* const at = rows + i * panel_width;
+        return {*lanes(at), *lanes(at + 4)};
+    }
+    [[gnu::always_inline]] static void put(double* rows, Index i, const Eight& r) {
+        double* const at = rows + i * panel_width;
+        *lanes(at) = r.low;
+        *lanes(at + 4) = r.high;
+    }
 };
 
-[[gnu::always_inline]] inline PanelRow row(const double* rows, Index i) {
-    const Lanes* const at = reinterpret_cast<const Lanes*>(rows + i * width);
-    return {at[0], at[1]};
-}
-[[gnu::always_inline]] inline void put(double* rows, Index i, const PanelRow& r) {
-    Lanes* const at = reinterpret_cast<Lanes*>(rows + i * width);
-    at[0] = r.low;
-    at[1] = r.high;
-}
-[[gnu::always_inline]] inline PanelRow operator*(double a, const PanelRow& r) {
+[[gnu::always_inline]] inline Eight operator*(double a, const Eight& r) {
     return {a * r.low, a * r.high};
 }
-[[gnu::always_inline]] inline PanelRow operator/(const PanelRow& r, double a) {
+[[gnu::always_inline]] inline Eight operator/(const Eight& r, double a) {
     return {r.low / a, r.high / a};
 }
-[[gnu::always_inline]] inline PanelRow operator-(const PanelRow& a, const PanelRow& b) {
+[[gnu::always_inline]] inline Eight operator-(const Eight& a, const Eight& b) {
     return {a.low - b.low, a.high - b.high};
 }
-[[gnu::always_inline]] inline void operator-=(PanelRow& a, const PanelRow& b) { a = a - b; }
 
-// Four partial sums side by side.
-[[gnu::always_inline]] inline double dot_product(const double* a, const double* b, Index count) {
-    double sums[4] = {0, 0, 0, 0};
-    Index i = 0;
-    for (; i + 4 <= count; i += 4)
-        for (Index k = 0; k < 4; ++k) sums[k] += a[i + k] * b[i + k];
-    for (; i < count; ++i) sums[0] += a[i] * b[i];
-    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+// That of one right side.
+struct One {
+    double value;
+
+    [[gnu::always_inline]] static One row(const double* rows, Index i) { return {rows[i]}; }
+    [[gnu::always_inline]] static void put(double* rows, Index i, One r) { rows[i] = r.value; }
+};
+
+[[gnu::always_inline]] inline One operator*(double a, One r) { return {a * r.value}; }
+[[gnu::always_inline]] inline One operator/(One r, double a) { return {r.value / a}; }
+[[gnu::always_inline]] inline One operator-(One a, One b) { return {a.value - b.value}; }
+
+template <typename Row>
+[[gnu::always_inline]] inline void forward(const DensePanel& panel, double* own, double* border) {
+    const Index n = panel.own, m = panel.border;
+    const double* a = panel.values;
+    Index j = 0;
+    for (; j + 4 <= n; j += 4) {
+        const Row x = Row::row(own, j) / a[0];
+        const Row y = (Row::row(own, j + 1) - a[4] * x) / a[5];
+        const Row z = (Row::row(own, j + 2) - a[8] * x - a[9] * y) / a[10];
+        const Row w = (Row::row(own, j + 3) - a[12] * x - a[13] * y - a[14] * z) / a[15];
+        Row::put(own, j, x);
+        Row::put(own, j + 1, y);
+        Row::put(own, j + 2, z);
+        Row::put(own, j + 3, w);
+        a += 16;
+        for (Index i = j + 4; i < n; ++i, a += 4) {
+            __builtin_prefetch(a + ahead);
+            Row::put(own, i, Row::row(own, i) - a[0] * x - a[1] * y - a[2] * z - a[3] * w);
+        }
+        for (Index i = 0; i < m; ++i, a += 4) {
+            __builtin_prefetch(a + ahead);
+            Row::put(border, i, Row::row(border, i) - a[0] * x - a[1] * y - a[2] * z - a[3] * w);
+        }
+    }
+    const Index rest = n - j;
+    for (Index c = 0; c < rest; ++c) {
+        const Row x = Row::row(own, j + c) / a[c * rest + c];
+        Row::put(own, j + c, x);
+        for (Index i = c + 1; i < rest; ++i)
+            Row::put(own, j + i, Row::row(own, j + i) - a[i * rest + c] * x);
+        for (Index i = 0; i < m; ++i)
+            Row::put(border, i, Row::row(border, i) - a[(rest + i) * rest + c] * x);
+    }
+}
+
+template <typename Row>
+[[gnu::always_inline]] inline void backward(const DensePanel& panel, double* own,
+                                            const double* border) {
+    const Index n = panel.own, m = panel.border, rest = n % 4;
+    Index j = n - rest;
+    const double* a = panel.values + panel_size(n, m) - rest * (rest + m);
+    for (Index c = rest; c-- > 0;) {
+        Row x = Row::row(own, j + c);
+        for (Index i = 0; i < m; ++i) x = x - a[(rest + i) * rest + c] * Row::row(border, i);
+        for (Index i = c + 1; i < rest; ++i) x = x - a[i * rest + c] * Row::row(own, j + i);
+        Row::put(own, j + c, x / a[c * rest + c]);
+    }
+    while (j > 0) {
+        j -= 4;
+        a -= 4 * (n + m - j);
+        Row x = Row::row(own, j), y = Row::row(own, j + 1);
+        Row z = Row::row(own, j + 2), w = Row::row(own, j + 3);
+        const double* p = a + 4 * (n - j);
+        const Index before = 4 * (n + m - j + 4);
+        for (Index i = 0; i < m; ++i, p += 4) {
+            __builtin_prefetch(p - before);
+            const Row e = Row::row(border, i);
+            x = x - p[0] * e;
+            y = y - p[1] * e;
+            z = z - p[2] * e;
+            w = w - p[3] * e;
+        }
+        p = a + 16;
+        for (Index i = j + 4; i < n; ++i, p += 4) {
+            __builtin_prefetch(p - before);
+            const Row e = Row::row(own, i);
+            x = x - p[0] * e;
+            y = y - p[1] * e;
+            z = z - p[2] * e;
+            w = w - p[3] * e;
+        }
+        w = w / a[15];
+        z = (z - a[14] * w) / a[10];
+        y = (y - a[13] * w - a[9] * z) / a[5];
+        x = (x - a[12] * w - a[8] * z - a[4] * y) / a[0];
+        Row::put(own, j, x);
+        Row::put(own, j + 1, y);
+        Row::put(own, j + 2, z);
+        Row::put(own, j + 3, w);
+    }
 }
 
 }  // namespace
 
 BEAD_WIDE_REGISTERS
 void solve_forward(const DensePanel& panel, double* own, double* border) {
-    const Index n = panel.own, m = panel.border, size = n + m;
-    Index j = 0;
-    for (; j + 4 <= n; j += 4) {
-        const double* const a = panel.values + j * size;
-        const double *const b = a + size, *const c = b + size, *const d = c + size;
-        const PanelRow x = row(own, j) / a[j];
-        const PanelRow y = (row(own, j + 1) - a[j + 1] * x) / b[j + 1];
-        const PanelRow z = (row(own, j + 2) - a[j + 2] * x - b[j + 2] * y) / c[j + 2];
-        const PanelRow w =
-            (row(own, j + 3) - a[j + 3] * x - b[j + 3] * y - c[j + 3] * z) / d[j + 3];
-        put(own, j, x);
-        put(own, j + 1, y);
-        put(own, j + 2, z);
-        put(own, j + 3, w);
-        for (Index i = j + 4; i < n; ++i)
-            put(own, i, row(own, i) - a[i] * x - b[i] * y - c[i] * z - d[i] * w);
-        const double *const p = a + n, *const q = b + n, *const r = c + n, *const s = d + n;
-        for (Index i = 0; i < m; ++i)
-            put(border, i, row(border, i) - p[i] * x - q[i] * y - r[i] * z - s[i] * w);
-    }
-    for (; j < n; ++j) {
-        const double* const a = panel.values + j * size;
-        const PanelRow x = row(own, j) / a[j];
-        put(own, j, x);
-        for (Index i = j + 1; i < n; ++i) put(own, i, row(own, i) - a[i] * x);
-        const double* const p = a + n;
-        for (Index i = 0; i < m; ++i) put(border, i, row(border, i) - p[i] * x);
-    }
+    forward<Eight>(panel, own, border);
 }
 
 BEAD_WIDE_REGISTERS
 void solve_backward(const DensePanel& panel, double* own, const double* border) {
-    const Index n = panel.own, m = panel.border, size = n + m;
-    Index j = n;
-    for (; j % 4 != 0; --j) {
-        const double* const a = panel.values + (j - 1) * size;
-        const double* const p = a + n;
-        PanelRow x = row(own, j - 1);
-        for (Index i = 0; i < m; ++i) x -= p[i] * row(border, i);
-        for (Index i = j; i < n; ++i) x -= a[i] * row(own, i);
-        put(own, j - 1, x / a[j - 1]);
-    }
-    for (; j > 0; j -= 4) {
-        const Index f = j - 4;
-        const double* const a = panel.values + f * size;
-        const double *const b = a + size, *const c = b + size, *const d = c + size;
-        const double *const p = a + n, *const q = b + n, *const r = c + n, *const s = d + n;
-        PanelRow x = row(own, f), y = row(own, f + 1), z = row(own, f + 2), w = row(own, f + 3);
-        for (Index i = 0; i < m; ++i) {
-            const PanelRow e = row(border, i);
-            x -= p[i] * e;
-            y -= q[i] * e;
-            z -= r[i] * e;
-            w -= s[i] * e;
-        }
-        for (Index i = j; i < n; ++i) {
-            const PanelRow e = row(own, i);
-            x -= a[i] * e;
-            y -= b[i] * e;
-            z -= c[i] * e;
-            w -= d[i] * e;
-        }
-        w = w / d[f + 3];
-        z = (z - c[f + 3] * w) / c[f + 2];
-        y = (y - b[f + 3] * w - b[f + 2] * z) / b[f + 1];
-        x = (x - a[f + 3] * w - a[f + 2] * z - a[f + 1] * y) / a[f];
-        put(own, f, x);
-        put(own, f + 1, y);
-        put(own, f + 2, z);
-        put(own, f + 3, w);
-    }
+    backward<Eight>(panel, own, border);
 }
 
 BEAD_WIDE_REGISTERS
 void solve_one_forward(const DensePanel& panel, double* own, double* border) {
-    const Index n = panel.own, m = panel.border;
-    for (Index j = 0; j < n; ++j) {
-        const double *const a = panel.values + j * (n + m), *const p = a + n;
-        const double x = own[j] /= a[j];
-        for (Index i = j + 1; i < n; ++i) own[i] -= a[i] * x;
-        for (Index i = 0; i < m; ++i) border[i] -= p[i] * x;
-    }
+    forward<One>(panel, own, border);
 }
 
 BEAD_WIDE_REGISTERS
 void solve_one_backward(const DensePanel& panel, double* own, const double* border) {
-    const Index n = panel.own, m = panel.border;
-    for (Index j = n; j-- > 0;) {
-        const double *const a = panel.values + j * (n + m), *const p = a + n;
-        own[j] =
-            (own[j] - dot_product(a + j + 1, own + j + 1, n - j - 1) - dot_product(p, border, m)) /
-            a[j];
-    }
+    backward<One>(panel, own, border);
 }
 
 }  // namespace bead

@@ -10,12 +10,9 @@ namespace {
 
 using Index = std::ptrdiff_t;
 
-constexpr Index lanes = 4;
+constexpr Index at_once = 4;
 constexpr Index rows_at_a_time = 512;
 
-[[gnu::always_inline]] inline void store(double* at, const Lanes& values) {
-    *reinterpret_cast<Lanes*>(at) = values;
-}
 [[gnu::always_inline]] inline double sum(const Lanes& v) { return (v[0] + v[1]) + (v[2] + v[3]); }
 
 // Two columns of v by four of x.
@@ -25,9 +22,10 @@ constexpr Index rows_at_a_time = 512;
     const double *const x0 = x, *const x1 = x0 + stride, *const x2 = x1 + stride,
                         *const x3 = x2 + stride;
     Lanes a0{}, a1{}, a2{}, a3{}, b0{}, b1{}, b2{}, b3{};
-    for (Index i = 0; i < rows; i += lanes) {
-        const Lanes p = load(v0 + i), q = load(v1 + i);
-        const Lanes c0 = load(x0 + i), c1 = load(x1 + i), c2 = load(x2 + i), c3 = load(x3 + i);
+    for (Index i = 0; i < rows; i += at_once) {
+        const Lanes p = *lanes(v0 + i), q = *lanes(v1 + i);
+        const Lanes c0 = *lanes(x0 + i), c1 = *lanes(x1 + i), c2 = *lanes(x2 + i),
+                    c3 = *lanes(x3 + i);
         a0 += p * c0;
         a1 += p * c1;
         a2 += p * c2;
@@ -52,12 +50,12 @@ constexpr Index rows_at_a_time = 512;
                                           const double* h, Index height, double* x) {
     const double *const v0 = v, *const v1 = v + stride;
     double *const x0 = x, *const x1 = x0 + stride, *const x2 = x1 + stride, *const x3 = x2 + stride;
-    for (Index i = 0; i < rows; i += lanes) {
-        const Lanes p = load(v0 + i), q = load(v1 + i);
-        store(x0 + i, load(x0 + i) - h[0] * p - h[1] * q);
-        store(x1 + i, load(x1 + i) - h[height] * p - h[height + 1] * q);
-        store(x2 + i, load(x2 + i) - h[2 * height] * p - h[2 * height + 1] * q);
-        store(x3 + i, load(x3 + i) - h[3 * height] * p - h[3 * height + 1] * q);
+    for (Index i = 0; i < rows; i += at_once) {
+        const Lanes p = *lanes(v0 + i), q = *lanes(v1 + i);
+        *lanes(x0 + i) = *lanes(x0 + i) - h[0] * p - h[1] * q;
+        *lanes(x1 + i) = *lanes(x1 + i) - h[height] * p - h[height + 1] * q;
+        *lanes(x2 + i) = *lanes(x2 + i) - h[2 * height] * p - h[2 * height + 1] * q;
+        *lanes(x3 + i) = *lanes(x3 + i) - h[3 * height] * p - h[3 * height + 1] * q;
     }
 }
 
@@ -76,7 +74,8 @@ BEAD_WIDE_REGISTERS
 void inner_products(const TallMatrix& v, const TallMatrix& x, double* h) {
     std::fill(h, h + v.columns * x.columns, 0.0);
     for (Index first = 0; first < v.rows; first += rows_at_a_time) {
-        const Index rows = std::min(rows_at_a_time, v.rows - first), even = rows / lanes * lanes;
+        const Index rows = std::min(rows_at_a_time, v.rows - first),
+                    even = rows / at_once * at_once;
         for (Index j = 0; j < v.columns; j += 2)
             for (Index k = 0; k < x.columns; k += 4) {
                 const bool fits = j + 2 <= v.columns && k + 4 <= x.columns;
@@ -95,7 +94,8 @@ void inner_products(const TallMatrix& v, const TallMatrix& x, double* h) {
 BEAD_WIDE_REGISTERS
 void take_out(const TallMatrix& v, const double* h, double* x, Index columns) {
     for (Index first = 0; first < v.rows; first += rows_at_a_time) {
-        const Index rows = std::min(rows_at_a_time, v.rows - first), even = rows / lanes * lanes;
+        const Index rows = std::min(rows_at_a_time, v.rows - first),
+                    even = rows / at_once * at_once;
         for (Index k = 0; k < columns; k += 4)
             for (Index j = 0; j < v.columns; j += 2) {
                 const bool fits = j + 2 <= v.columns && k + 4 <= columns;

@@ -118,7 +118,7 @@ TEST(SegmentGrid, knows_what_is_clear_of_all_lines_but_two) {
             const Vec2 point = random.point();
             const double distance = random.uniform(0, 3);
             bool clear = true;
-            for (const std::size_t i : {1, 2, 4})
+            for (const std::size_t i : {1U, 2U, 4U})
                 clear = clear && line_distance(lines[i], point) >= distance;
             EXPECT_EQ(grid.is_clear(point, distance, {0, 3}), clear) << seed;
         }
