@@ -16,6 +16,7 @@ constexpr int most_steps = 60;
 constexpr double fruitful = 1.003;        // less of the norm, that a patch step shall reach
 constexpr int unneeded = 2;               // times as many braces where they only fill up
 constexpr int patience = 6;               // patch steps in a row without fruit
+constexpr double nearly = 0.75;           // of what it should bear before it buckles: patches too
 constexpr double mode_tolerance = 0.1;    // of the lowest factor, on the way
 constexpr double other_tolerance = 1;     // of those above it
 constexpr int most_vectors = 48;          // in which modes are sought, on the way
@@ -41,6 +42,11 @@ std::optional<Trial> trial_of(const LoadCase& load_case, const Layout& layout, d
     }
     trial.norm = failure_norm(trial.tested);
     return trial;
+}
+
+Layout joined(Layout layout, const Layout& more) {
+    layout.insert(layout.end(), more.begin(), more.end());
+    return layout;
 }
 
 struct CoarseVariant {
@@ -118,32 +124,40 @@ class Loop {
         result_.steps.push_back({braces, lines, area(), trial_->failure, buckling_});
     }
 
-    void take(std::optional<Trial> next, Layout more) {
+    void take(std::optional<Trial> next, const Layout& more) {
         trial_ = std::move(next);
         modes_are_of_trial_ = false;
         adjoint_.clear();
         tries_ = 0;
-        result_.layout.insert(result_.layout.end(), more.begin(), more.end());
+        result_.layout = joined(std::move(result_.layout), more);
     }
 
-    void patch() {
+    // Patches for the trial as it is, where `layout` leaves room; `skipped` of the best are left
+    // out, and then there is one only.
+    Layout patch_lines(const Layout& layout, std::optional<int> skipped) {
         if (adjoint_.empty()) adjoint_ = sensitivity(trial_->rig, trial_->tested);
-        PatchLineOptions how{.area = std::min(options_.patch_step * options_.area, left())};
-        how.most_area = left() + overdraw * options_.area;
-        if (tries_ > 0) {  // one by one
+        const double rest = options_.area - deposited_area(layout, case_.print.bead_width);
+        if (!(rest > 0)) return {};
+        PatchLineOptions how{.area = std::min(options_.patch_step * options_.area, rest)};
+        how.most_area = rest + overdraw * options_.area;
+        if (skipped) {
             how.most = 1;
-            how.skipped = tries_ - 1;
+            how.skipped = *skipped;
         }
+        return patches(layout, trial_->rig, trial_->tested, adjoint_, case_, how);
+    }
+
+    // First as many as the step allows; if that does no good, one by one.
+    void patch() {
+        std::optional<int> skipped;
+        if (tries_ > 0) skipped = tries_ - 1;
         ++tries_;
-        const Layout more =
-            patches(result_.layout, trial_->rig, trial_->tested, adjoint_, case_, how);
+        const Layout more = patch_lines(result_.layout, skipped);
         if (more.empty()) {
             fruitless_ = patience;
             return;
         }
-        Layout with = result_.layout;
-        with.insert(with.end(), more.begin(), more.end());
-        std::optional<Trial> next = trial_of(case_, with, options_.pixel);
+        std::optional<Trial> next = trial_of(case_, joined(result_.layout, more), options_.pixel);
         const double before = trial_->norm;
         if (!next || next->norm > before) {
             ++fruitless_;
@@ -155,7 +169,7 @@ class Loop {
         note(false, more.size());
     }
 
-    // `share`: of the usual number of braces.
+    // `share`: of the usual number of braces. Where they need only be few, with patches.
     bool brace(int share) {
         if (!modes_are_of_trial_) find_modes();
         BraceOptions how;
@@ -164,11 +178,12 @@ class Loop {
         how.over = std::min(
             how.over, (left() - how.area + overdraw * options_.area) / case_.print.bead_width);
         how.shortest = options_.shortest_brace;
-        const Layout more = braces(trial_->rig, case_, modes_, how);
+        Layout more = braces(trial_->rig, case_, modes_, how);
         if (more.empty()) return false;
-        Layout with = result_.layout;
-        with.insert(with.end(), more.begin(), more.end());
-        std::optional<Trial> next = trial_of(case_, with, options_.pixel);
+        if (share == 1 && fruitless_ < patience &&
+            buckling_ > nearly * options_.margin * trial_->failure)
+            more = joined(more, patch_lines(joined(result_.layout, more), std::nullopt));
+        std::optional<Trial> next = trial_of(case_, joined(result_.layout, more), options_.pixel);
         if (!next) return false;
         take(std::move(next), more);
         if (left() > options_.full * options_.area) find_modes();
