@@ -15,6 +15,7 @@ namespace bead {
 namespace {
 
 constexpr double chords_leave = 0.75;  // of a wall's tolerance, for the blend that they cut
+constexpr double edges_leave = 0.57;   // of an outer wall's, whose edge counts: round as a bead is
 constexpr double least_speed = 9;      // mm/s; a corner that would be passed more slowly stays
 
 std::size_t points_of(const Toolpath& layer) {
@@ -125,7 +126,7 @@ class Smoothing {
             laid.smooth = measured(std::move(plain));
             return;
         }
-        CornerTolerances tolerances{chords_leave * options_.tolerances.outer_wall,
+        CornerTolerances tolerances{edges_leave * options_.tolerances.outer_wall,
                                     chords_leave * options_.tolerances.wall,
                                     options_.tolerances.infill, true};
         tolerances.sharpest = options_.acceleration / (least_speed * least_speed);
