@@ -71,31 +71,41 @@ class SidewaysForces {
 
     [[nodiscard]] std::vector<double> applied(std::span<const double> x, int columns) const {
         std::vector<double> f(x.size(), 0.0);
-        const std::size_t size = held_.size();
-        for (std::size_t first = 0; first < size * std::size_t(columns); first += size) {
-            for (std::size_t k = 0; k < numbering_.pixels.size(); ++k)
-                subtract(k, &x[first], &f[first]);
-            for (std::size_t i = 0; i < size; ++i)
-                if (held_[i] != 0) f[first + i] = 0;
+        const std::size_t size = held_.size(), end = size * std::size_t(columns);
+        for (std::size_t k = 0; k < numbering_.pixels.size(); ++k) {
+            const PlateMatrix matrix = geometric_stiffness(k);
+            const std::array<std::size_t, plate_unknowns> at = unknowns(k);
+            for (std::size_t first = 0; first < end; first += size)
+                subtract(matrix, at, &x[first], &f[first]);
         }
+        for (std::size_t i = 0; i < f.size(); ++i)
+            if (held_[i % size] != 0) f[i] = 0;
         return f;
     }
 
   private:
-    void subtract(std::size_t k, const double* x, double* f) const {
+    [[nodiscard]] PlateMatrix geometric_stiffness(std::size_t k) const {
         const PlaneTensor n = thickness_ * stress_[numbering_.pixels[k]];
+        PlateMatrix matrix;
+        for (std::size_t i = 0; i < matrix.size(); ++i)
+            matrix[i] = n.xx * xx_[i] + n.yy * yy_[i] + n.xy * xy_[i];
+        return matrix;
+    }
+    [[nodiscard]] std::array<std::size_t, plate_unknowns> unknowns(std::size_t k) const {
         std::array<std::size_t, plate_unknowns> at{};
-        std::array<double, plate_unknowns> u{};
-        for (std::size_t i = 0; i < plate_unknowns; ++i) {
+        for (std::size_t i = 0; i < plate_unknowns; ++i)
             at[i] = 3 * std::size_t(numbering_.corners[k][i / 3]) + i % 3;
-            u[i] = x[at[i]];
-        }
+        return at;
+    }
+    static void subtract(const PlateMatrix& matrix,
+                         const std::array<std::size_t, plate_unknowns>& at, const double* x,
+                         double* f) {
+        std::array<double, plate_unknowns> u{};
+        for (std::size_t i = 0; i < plate_unknowns; ++i) u[i] = x[at[i]];
         for (std::size_t i = 0; i < plate_unknowns; ++i) {
             double sum = 0;
-            for (std::size_t j = 0; j < plate_unknowns; ++j) {
-                const std::size_t ij = plate_unknowns * i + j;
-                sum += (n.xx * xx_[ij] + n.yy * yy_[ij] + n.xy * xy_[ij]) * u[j];
-            }
+            for (std::size_t j = 0; j < plate_unknowns; ++j)
+                sum += matrix[plate_unknowns * i + j] * u[j];
             f[at[i]] -= sum;
         }
     }
