@@ -1,7 +1,6 @@
 // beadwork reinforce: infill along the principal stresses of a load case, as G-code.
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <memory>
 
 #include "command.h"
@@ -257,10 +256,12 @@ void reinforce(const ReinforceCall& options) {
     const LayeredLayout print = placed(layout, green, machine);
     const Assessment cost = write_layout(options, print, machine);
     write_picture(options, load_case, best);
-    console.say("{}: {} layers, {}, breaks at {:.1f} N, buckles at {:.1f} N{}, {:.2f} N/g ({})\n",
-                options.out, print.layers, spoken_time(cost.motion.duration),
-                best.strength.failure_load, best.strength.buckling_load,
-                sideways_words(best.strength), strength_to_weight(best.strength), best.name);
+    console.say(
+        "{}: {} layers ({:.3g} mm of {:.3g}), {}, breaks at {:.1f} N, buckles at {:.1f} N{}, "
+        "{:.2f} N/g ({})\n",
+        options.out, print.layers, print.layers * load_case.print.layer_height, load_case.thickness,
+        spoken_time(cost.motion.duration), best.strength.failure_load, best.strength.buckling_load,
+        sideways_words(best.strength), strength_to_weight(best.strength), best.name);
     warn_of_sideways(console, {{options.out, best.strength, false}});
     if (options.output.json.empty()) return;
     Json json = result_head("reinforce", {options.load_case.file});
@@ -275,7 +276,6 @@ void reinforce(const ReinforceCall& options) {
     for (const Candidate& candidate : found.candidates)
         json["designs"].push_back(
             strength_json({candidate.name, candidate.strength, candidate.is_baseline}));
-    json["cpu_s"] = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
     write_result(options.output.json, json);
 }
 

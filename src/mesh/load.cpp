@@ -49,12 +49,16 @@ const Format& format_of(std::string_view name) {
 std::string content(const std::filesystem::path& file) {
     const std::string name = file.string();
     std::error_code fault;
-    if (!std::filesystem::exists(file, fault)) throw Error(name + ": no such file");
-    if (!std::filesystem::is_regular_file(file, fault)) throw Error(name + ": not a file");
+    if (!std::filesystem::exists(file, fault))
+        throw Error(name + ": no such file; is its path right?");
+    if (!std::filesystem::is_regular_file(file, fault))
+        throw Error(name + ": not a file; name the mesh itself");
     const std::uintmax_t size = std::filesystem::file_size(file, fault);
     if (fault || size > most_bytes)
         throw Error(
-            fmt::format("{}: larger than the {} MB that are read", name, most_bytes >> 20U));
+            fmt::format("{}: larger than the {} MB that are read; leave out what is not printed, "
+                        "or use fewer triangles",
+                        name, most_bytes >> 20U));
     std::string bytes(size, '\0');
     std::ifstream stream(file, std::ios::binary);
     if (!stream.read(bytes.data(), static_cast<std::streamsize>(size)))

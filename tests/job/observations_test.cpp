@@ -10,7 +10,7 @@ namespace {
 
 ObservationTable parsed(const std::string& text) { return parsed_observations(text, "a/p.csv"); }
 
-std::string fault_of(const std::string& text) {
+std::string fault_of_table(const std::string& text) {
     try {
         parsed(text);
     } catch (const Error& error) {
@@ -102,7 +102,7 @@ TEST(Observations, NameWhatIsWrongAndWhere) {
         {std::string("a\0b", 3), "not a text file"},
     };
     for (const auto& fault : faults) {
-        const std::string message = fault_of(fault.text);
+        const std::string message = fault_of_table(fault.text);
         EXPECT_NE(message.find(fault.words), std::string::npos) << fault.text << ": " << message;
         EXPECT_EQ(message.find('\n'), std::string::npos);
         EXPECT_EQ(message.rfind("a/p.csv", 0), 0U) << message;

@@ -24,7 +24,7 @@ std::string answer(const std::string& jobs) {
     return R"({"result": {"count": 1, "jobs": [)" + jobs + "]}}";
 }
 
-std::string fault_of(const std::string& text, const std::string& sensor = "") {
+std::string fault_of_history(const std::string& text, const std::string& sensor = "") {
     try {
         parsed_print_history(text, "h.json", sensor);
     } catch (const Error& error) {
@@ -74,19 +74,20 @@ TEST(PrintHistory, CountsWhatItLeavesOut) {
 TEST(PrintHistory, AsksWhichOfSeveralReadings) {
     const std::string text =
         answer(job("completed", reading("1", "Wh", "printer") + "," + reading("9", "Wh", "lamp")));
-    const std::string message = fault_of(text);
+    const std::string message = fault_of_history(text);
     EXPECT_NE(message.find("--sensor"), std::string::npos) << message;
     EXPECT_NE(message.find("lamp of sensor plug"), std::string::npos) << message;
     EXPECT_EQ(parsed_print_history(text, "h.json", "printer").jobs[0].energy, 3600);
 }
 
 TEST(PrintHistory, RefusesWhatIsNone) {
-    EXPECT_NE(fault_of("{").find("JSON"), std::string::npos);
-    EXPECT_NE(fault_of("{}").find("list of jobs"), std::string::npos);
-    EXPECT_NE(fault_of("[]").find("no completed job"), std::string::npos);
-    EXPECT_NE(fault_of(answer(job("cancelled", ""))).find("1 cancelled"), std::string::npos);
-    EXPECT_NE(fault_of(answer(job("completed", reading("1e400", "Wh")))), "no fault");
-    EXPECT_NE(fault_of(std::string(100000, '[')), "no fault");
+    EXPECT_NE(fault_of_history("{").find("JSON"), std::string::npos);
+    EXPECT_NE(fault_of_history("{}").find("list of jobs"), std::string::npos);
+    EXPECT_NE(fault_of_history("[]").find("no completed job"), std::string::npos);
+    EXPECT_NE(fault_of_history(answer(job("cancelled", ""))).find("1 cancelled"),
+              std::string::npos);
+    EXPECT_NE(fault_of_history(answer(job("completed", reading("1e400", "Wh")))), "no fault");
+    EXPECT_NE(fault_of_history(std::string(100000, '[')), "no fault");
 }
 
 }  // namespace
