@@ -79,7 +79,7 @@ RC_GTEST_PROP(Plan, TurningThePartAndItsLinesTurnsTheToolpath, ()) {
     RC_ASSERT(std::abs(relative(a.wall, b.wall)) < 1e-9);
 }
 
-TEST(Plan, DepositsWhatIsAskedFor) {
+TEST(SlowPlan, DepositsWhatIsAskedFor) {
     for (const auto& [name, region] : shapes::some_regions())
         for (const NamedPattern& pattern : patterns)
             for (const double density : {0.1, 0.3, 1.0})
