@@ -8,6 +8,8 @@ namespace {
 
 using Index = std::ptrdiff_t;
 
+// The panel is fetched before it is needed, for the processor does not foresee strips that are read
+// backwards: forward this many numbers before, backward a strip.
 constexpr Index ahead = 256;
 
 // Of an unknown the values of eight right sides, in two halves, each of which fits a wide register.
