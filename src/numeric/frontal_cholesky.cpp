@@ -84,20 +84,14 @@ class Sweep {
         if (panel.own == 0) return;
         const std::size_t count = std::size_t(panel.border / b);
         gather(places, count);
-        if constexpr (width == 1)
-            solve_one_forward(panel, own, border_.data());
-        else
-            solve_forward(panel, own, border_.data());
+        solve_forward(panel, width, own, border_.data());
         scatter(places, count);
     }
 
     void backward(const DensePanel& panel, double* own, const std::size_t* places) {
         if (panel.own == 0) return;
         gather(places, std::size_t(panel.border / b));
-        if constexpr (width == 1)
-            solve_one_backward(panel, own, border_.data());
-        else
-            solve_backward(panel, own, border_.data());
+        solve_backward(panel, width, own, border_.data());
     }
 
     const FrontalFactor& factor_;

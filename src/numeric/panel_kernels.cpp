@@ -134,23 +134,20 @@ template <typename Row>
 }  // namespace
 
 BEAD_WIDE_REGISTERS
-void solve_forward(const DensePanel& panel, double* own, double* border) {
-    forward<Eight>(panel, own, border);
+void solve_forward(const DensePanel& panel, std::ptrdiff_t sides, double* own, double* border) {
+    if (sides == 1)
+        forward<One>(panel, own, border);
+    else
+        forward<Eight>(panel, own, border);
 }
 
 BEAD_WIDE_REGISTERS
-void solve_backward(const DensePanel& panel, double* own, const double* border) {
-    backward<Eight>(panel, own, border);
-}
-
-BEAD_WIDE_REGISTERS
-void solve_one_forward(const DensePanel& panel, double* own, double* border) {
-    forward<One>(panel, own, border);
-}
-
-BEAD_WIDE_REGISTERS
-void solve_one_backward(const DensePanel& panel, double* own, const double* border) {
-    backward<One>(panel, own, border);
+void solve_backward(const DensePanel& panel, std::ptrdiff_t sides, double* own,
+                    const double* border) {
+    if (sides == 1)
+        backward<One>(panel, own, border);
+    else
+        backward<Eight>(panel, own, border);
 }
 
 }  // namespace bead

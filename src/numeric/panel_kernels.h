@@ -35,12 +35,10 @@ inline std::ptrdiff_t panel_size(std::ptrdiff_t own, std::ptrdiff_t border) {
     return size;
 }
 
-// own = L^-1 own, border -= B own, B the rows below; `panel_width` numbers per row.
-void solve_forward(const DensePanel& panel, double* own, double* border);
+// own = L^-1 own, border -= B own, B the rows below. `sides`: 1 or `panel_width`, numbers per row.
+void solve_forward(const DensePanel& panel, std::ptrdiff_t sides, double* own, double* border);
 // own = L^-T (own - Bᵀ border).
-void solve_backward(const DensePanel& panel, double* own, const double* border);
-// The same for one right side.
-void solve_one_forward(const DensePanel& panel, double* own, double* border);
-void solve_one_backward(const DensePanel& panel, double* own, const double* border);
+void solve_backward(const DensePanel& panel, std::ptrdiff_t sides, double* own,
+                    const double* border);
 
 }  // namespace bead

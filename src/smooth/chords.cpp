@@ -7,9 +7,6 @@ namespace bead {
 namespace {
 
 constexpr double least_corner = 25 * pi / 180;  // rad, never shifted
-// A line of length l that turns by t in all is nowhere farther than l t / 4 from its chord: that
-// far comes the isosceles triangle.
-constexpr double bends_less = 3.999;
 
 // The arc tangent's series where it is right to a millionth: most turns are that small.
 double turn_at(const Polyline& p, std::size_t i) {
@@ -46,9 +43,10 @@ class ChordFrom {
     // long as the one before.
     [[nodiscard]] std::size_t end(std::size_t guess) const {
         const std::vector<Flow>& flows = measured_.ribbon.flows;
-        std::size_t end = std::min<std::size_t>(first_ + guess, measured_.same_until[first_]);
+        const auto begin = std::min<std::size_t>(first_ + guess, measured_.same_until[first_]);
+        std::size_t end = begin;
         while (end > first_ + 1 && !may_lead_to(end)) --end;
-        if (end < first_ + guess && end < measured_.same_until[first_]) return end;
+        if (end < begin) return end;
         while (end < flows.size() &&
                (end < measured_.same_until[first_] || may_share(flows[end])) &&
                may_lead_to(end + 1))
@@ -73,7 +71,7 @@ class ChordFrom {
         if (square < 1e-18) return false;
         if (turn > 0.01 && !is_quiet(turn, run, square, tight)) return false;
         if (options_.step && !is_passed(end, turn, run)) return false;
-        return run * turn <= bends_less * limits_.tolerance || stays_near(end, along, square);
+        return stays_near(end, along, square);
     }
 
     [[nodiscard]] bool stays_near(std::size_t end, Vec2 along, double square) const {
@@ -122,14 +120,21 @@ class ChordFrom {
     Vec2 start_;
 };
 
+// Calls visit(the point where it ends) for every chord.
+template <typename Visit>
+void for_chords(const MeasuredRibbon& measured, const ChordOptions& options, const Visit& visit) {
+    std::size_t last = 1;
+    for (std::size_t i = 0; i + 1 < measured.ribbon.points.size();) {
+        const std::size_t end = ChordFrom(measured, i, options).end(last);
+        last = end - i;
+        i = end;
+        visit(end);
+    }
+}
+
 std::vector<std::size_t> chosen(const MeasuredRibbon& measured, const ChordOptions& options) {
     std::vector<std::size_t> kept{0};
-    std::size_t last = 1;
-    while (kept.back() + 1 < measured.ribbon.points.size()) {
-        const std::size_t end = ChordFrom(measured, kept.back(), options).end(last);
-        last = end - kept.back();
-        kept.push_back(end);
-    }
+    for_chords(measured, options, [&](std::size_t end) { kept.push_back(end); });
     return kept;
 }
 
@@ -186,12 +191,8 @@ MeasuredRibbon measured(Ribbon ribbon) {
 
 std::size_t chord_count(const MeasuredRibbon& measured, const ChordOptions& options) {
     if (measured.ribbon.points.size() < 3) return measured.ribbon.flows.size();
-    std::size_t count = 0, last = 1;
-    for (std::size_t i = 0; i + 1 < measured.ribbon.points.size(); ++count) {
-        const std::size_t end = ChordFrom(measured, i, options).end(last);
-        last = end - i;
-        i = end;
-    }
+    std::size_t count = 0;
+    for_chords(measured, options, [&](std::size_t) { ++count; });
     return count;
 }
 

@@ -132,27 +132,23 @@ class Loop {
         result_.layout = joined(std::move(result_.layout), more);
     }
 
-    // Patches for the trial as it is, where `layout` leaves room; `skipped` of the best are left
-    // out, and then there is one only.
-    Layout patch_lines(const Layout& layout, std::optional<int> skipped) {
+    // Patches for the trial as it is, where `layout` leaves room: as many as the step allows; after
+    // `tried` times that did no good one, behind those that were tried.
+    Layout patch_lines(const Layout& layout, int tried) {
         if (adjoint_.empty()) adjoint_ = sensitivity(trial_->rig, trial_->tested);
         const double rest = options_.area - deposited_area(layout, case_.print.bead_width);
         if (!(rest > 0)) return {};
         PatchLineOptions how{.area = std::min(options_.patch_step * options_.area, rest)};
         how.most_area = rest + overdraw * options_.area;
-        if (skipped) {
+        if (tried > 0) {
             how.most = 1;
-            how.skipped = *skipped;
+            how.skipped = tried - 1;
         }
         return patches(layout, trial_->rig, trial_->tested, adjoint_, case_, how);
     }
 
-    // First as many as the step allows; if that does no good, one by one.
     void patch() {
-        std::optional<int> skipped;
-        if (tries_ > 0) skipped = tries_ - 1;
-        ++tries_;
-        const Layout more = patch_lines(result_.layout, skipped);
+        const Layout more = patch_lines(result_.layout, tries_++);
         if (more.empty()) {
             fruitless_ = patience;
             return;
@@ -182,7 +178,7 @@ class Loop {
         if (more.empty()) return false;
         if (share == 1 && fruitless_ < patience &&
             buckling_ > nearly * options_.margin * trial_->failure)
-            more = joined(more, patch_lines(joined(result_.layout, more), std::nullopt));
+            more = joined(more, patch_lines(joined(result_.layout, more), 0));
         std::optional<Trial> next = trial_of(case_, joined(result_.layout, more), options_.pixel);
         if (!next) return false;
         take(std::move(next), more);

@@ -81,14 +81,14 @@ std::vector<double> plain_backward(const PanelCase& one) {
 RC_GTEST_PROP(PanelKernels, EightSidesForwardAreThePlainLoopsBits, ()) {
     const PanelCase one = any_panel();
     std::vector<double> rows = one.sides;
-    solve_forward(one.panel(), rows.data(), rows.data() + one.own * panel_width);
+    solve_forward(one.panel(), panel_width, rows.data(), rows.data() + one.own * panel_width);
     RC_ASSERT(rows == plain_forward(one));
 }
 
 RC_GTEST_PROP(PanelKernels, EightSidesBackwardAreThePlainLoopsBits, ()) {
     const PanelCase one = any_panel();
     std::vector<double> rows = one.sides;
-    solve_backward(one.panel(), rows.data(), rows.data() + one.own * panel_width);
+    solve_backward(one.panel(), panel_width, rows.data(), rows.data() + one.own * panel_width);
     RC_ASSERT(rows == plain_backward(one));
 }
 
@@ -102,8 +102,8 @@ RC_GTEST_PROP(PanelKernels, OneSideIsTheFirstOfEightToTheBit, ()) {
     std::vector<double> alone;
     for (std::size_t i = 0; i < one.sides.size(); i += panel_width) alone.push_back(one.sides[i]);
     std::vector<double> back = alone;
-    solve_one_forward(one.panel(), alone.data(), alone.data() + one.own);
-    solve_one_backward(one.panel(), back.data(), back.data() + one.own);
+    solve_forward(one.panel(), 1, alone.data(), alone.data() + one.own);
+    solve_backward(one.panel(), 1, back.data(), back.data() + one.own);
     const std::vector<double> forward_rows = plain_forward(one), back_rows = plain_backward(one);
     for (std::size_t i = 0; i < alone.size(); ++i) {
         RC_ASSERT(alone[i] == forward_rows[i * panel_width]);
