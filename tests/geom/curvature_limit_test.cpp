@@ -39,6 +39,8 @@ RC_GTEST_PROP(CurvatureLimit, curvature_and_feed_undo_each_other, (unsigned seed
     const double speed = random.uniform(1, 300);
     const double bend = largest_curvature(limits, speed);
     RC_ASSERT(std::abs(feed_limit(limits, bend) / speed - 1) < 1e-6);
+    // A circle of less than the chord error across is not limited by it.
+    RC_PRE(1.1 * bend * limits.chord_error < 2);
     RC_ASSERT(feed_limit(limits, -1.1 * bend) < speed);
     RC_ASSERT(feed_limit(limits, bend, 1e3) <= feed_limit(limits, bend));
 }
