@@ -1,6 +1,7 @@
 #include "vibration/command.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -10,30 +11,36 @@
 namespace bead {
 namespace {
 
-// Odd, so that the box lies about its sample: four in a row deviate by σ = √(4 (n² - 1)/12).
-std::size_t box_samples(double deviation, double step) {
-    const double sigma = deviation / step;
-    const double n = std::sqrt(3 * sigma * sigma + 1);
-    return 2 * std::size_t(std::lround((n - 1) / 2)) + 1;
+// The bell's deviation times the first mode's ω. By itself feed-forward also has to keep the mode
+// from ringing, so that the bell lets 0.88 of it through; behind a shaper only slow lag is left.
+constexpr double bell = 0.5, bell_behind_shaper = 1.25;
+
+// What is left of a deviation of σ, in samples, behind two boxes of n samples each, which deviate
+// by (n² - 1)/12: twice a box of 2 m + 1 samples with a share of those beyond its ends.
+CommandFilter::Box rest_of(double sigma, std::size_t n) {
+    const double pair = (double(n * n) - 1) / 6, rest = (sigma * sigma - pair) / 2;
+    const double m = std::floor((std::sqrt(1 + 12 * rest) - 1) / 2), whole = 2 * m + 1;
+    const double ends =
+        whole * (rest - m * (m + 1) / 3) / (2 * ((m + 1) * (m + 1) - rest));
+    return {std::size_t(m), ends, 1 / (whole + 2 * ends)};
 }
 
 // The mean over a box about every sample that has one whole.
-std::vector<double> boxed(const std::vector<double>& values, std::size_t box) {
-    std::vector<double> means(values.size() - box + 1);
+std::vector<double> boxed(const std::vector<double>& values, const CommandFilter::Box& box) {
+    const std::size_t whole = 2 * box.half + 1;
+    std::vector<double> means(values.size() - whole - 1);
     double sum = 0;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        sum += values[i];
-        if (i + 1 < box) continue;
-        means[i + 1 - box] = sum / double(box);
-        sum -= values[i + 1 - box];
+    for (std::size_t i = 0; i < whole; ++i) sum += values[i];
+    for (std::size_t i = 0; i < means.size(); ++i) {
+        sum += values[i + whole] - values[i];
+        means[i] = box.weight * (sum + box.ends * (values[i] + values[i + whole + 1]));
     }
     return means;
 }
 
-std::vector<Pulse> pulses_of(const DriveAxis& axis, const TimeLaw& law) {
+std::vector<Pulse> pulses_of(const DriveMode& mode, const TimeLaw& law) {
     if (!law.shaper) return {{1, 0}};
-    const DriveMode mode = first_mode(axis);
-    return shaper(*law.shaper, mode.frequency * law.tuning, mode.damping);
+    return shaper(*law.shaper, mode.frequency, mode.damping);
 }
 
 // The gain where the machine only lags, at 1 Hz; a detuned model has its lag at another frequency.
@@ -45,10 +52,11 @@ double lead_of(const DriveAxis& axis, const std::vector<Pulse>& pulses, double t
 
 }  // namespace
 
-CommandFilter::CommandFilter(const DriveAxis& axis, const TimeLaw& law, double step)
-    : bound_(law.feed_forward_bound) {
+CommandFilter::CommandFilter(const DriveAxis& axis, const TimeLaw& law, double step) {
     BEAD_EXPECTS(step > 0 && law.tuning > 0);
-    const std::vector<Pulse> pulses = pulses_of(axis, law);
+    DriveMode mode = first_mode(axis);
+    mode.frequency *= law.tuning;
+    const std::vector<Pulse> pulses = pulses_of(mode, law);
     for (const Pulse& pulse : pulses) {
         const double place = -pulse.delay / step, low = std::floor(place);
         taps_.push_back({std::ptrdiff_t(low), pulse.weight * (low + 1 - place)});
@@ -58,19 +66,24 @@ CommandFilter::CommandFilter(const DriveAxis& axis, const TimeLaw& law, double s
     margin_ = reach_;
     lead_ = lead_of(axis, pulses, law.tuning);
     if (!law.feed_forward) return;
-    box_ = box_samples(law.feed_forward_smoothing, step);
-    margin_ += 2 * box_;
-    scale_ = 1 / (double(box_) * step) / (double(box_) * step);
+    bound_ = std::abs(lead_) * law.acceleration;
+    const double omega = 2 * std::numbers::pi * mode.frequency;
+    const double sigma = (law.shaper ? bell_behind_shaper : bell) / (omega * step);
+    pair_ = std::size_t(std::sqrt(3 * sigma * sigma + 1));
+    box_ = rest_of(sigma, pair_);
+    margin_ += pair_ + 2 * (box_.half + 1);
+    const double width = double(pair_) * step;
+    scale_ = 1 / (width * width);
 }
 
 // Two of the four boxes and both derivatives are one second difference of that width; so the cost
 // does not depend on the width.
 std::vector<double> CommandFilter::led(std::span<const double> samples) const {
-    const std::size_t n = box_;
+    const std::size_t n = pair_;
     std::vector<double> bend(samples.size() - 2 * n);
     for (std::size_t i = 0; i < bend.size(); ++i)
         bend[i] = scale_ * (samples[i + 2 * n] - 2 * samples[i + n] + samples[i]);
-    bend = boxed(boxed(bend, n), n);
+    bend = boxed(boxed(bend, box_), box_);
     const std::size_t lost = (samples.size() - bend.size()) / 2;
     for (std::size_t i = 0; i < bend.size(); ++i)
         bend[i] = samples[i + lost] + std::clamp(lead_ * bend[i], -bound_, bound_);
@@ -79,8 +92,9 @@ std::vector<double> CommandFilter::led(std::span<const double> samples) const {
 
 void CommandFilter::filter(std::span<const double> samples, std::vector<double>& out) const {
     BEAD_EXPECTS(samples.size() > 2 * margin_);
-    const std::vector<double> leading = box_ > 0 ? led(samples) : std::vector<double>();
-    const std::span<const double> plain = box_ > 0 ? std::span<const double>(leading) : samples;
+    const bool leads = pair_ > 0;
+    const std::vector<double> leading = leads ? led(samples) : std::vector<double>();
+    const std::span<const double> plain = leads ? std::span<const double>(leading) : samples;
     const std::size_t lost = (plain.size() - (samples.size() - 2 * margin_)) / 2;
     out.assign(samples.size() - 2 * margin_, 0);
     for (const Tap& tap : taps_) {

@@ -1,7 +1,8 @@
 // What the servos are told instead of the path: with feed-forward, the place plus c2 times its
-// acceleration (seen through a bell of about 10 ms, cut to a bound), so that the machine's lag in
-// bends is made up for; then shaped. Both are symmetric in time on the mean: the command is not
-// late.
+// acceleration, so that the machine's lag in bends is made up for; then shaped. Both are symmetric
+// in time on the mean: the command is not late. The acceleration is seen through a bell as wide as
+// the first mode is slow, and leads by no more than what the law's acceleration asks for: corners,
+// where it would be more, are not led into.
 #pragma once
 #include <span>
 #include <vector>
@@ -24,6 +25,12 @@ class CommandFilter {
     // The filtered values of all samples but the margins'; expects more samples than those.
     void filter(std::span<const double> samples, std::vector<double>& out) const;
 
+    // The mean of 2 half + 1 samples and a share of the next on both sides.
+    struct Box {
+        std::size_t half = 0;
+        double ends = 0, weight = 1;
+    };
+
   private:
     struct Tap {
         std::ptrdiff_t offset = 0;
@@ -33,8 +40,10 @@ class CommandFilter {
 
     std::vector<Tap> taps_;               // the shaper, its delays between two samples
     std::size_t margin_ = 0, reach_ = 0;  // of all, of the taps
-    std::size_t box_ = 0;  // samples of one of the four boxes that make the bell; 0: none
-    double lead_ = 0, bound_ = 0, scale_ = 0;
+    // The bell: two boxes of so many samples, 0 without one, and two that make up for the rest.
+    std::size_t pair_ = 0;
+    Box box_;
+    double lead_ = 0, bound_ = 0, scale_ = 0;  // s², mm, 1/s²
 };
 
 }  // namespace bead

@@ -26,9 +26,6 @@ struct TimeLaw {
     std::optional<ShaperKind> shaper{};
     double tuning = 1;  // what shaper and feed-forward take the modes for / what they are
     bool feed_forward = false;
-    double feed_forward_bound = 0.05;  // mm
-    double feed_forward_smoothing =
-        0.01;  // s, deviation of the bell that the command is seen through
 };
 
 struct NamedLaw {

@@ -53,7 +53,6 @@ TEST(Response, FeedForwardClosesTheCircle) {
     TimeLaw law{.profile = SpeedProfile::jerk_limited, .acceleration = 2000};
     EXPECT_NEAR(radius_error(law, machine), 0.058, 0.002);
     law.feed_forward = true;
-    law.feed_forward_bound = 1;
     EXPECT_NEAR(radius_error(law, machine), 0, 0.001);
     law.shaper = ShaperKind::mzv;
     EXPECT_NEAR(radius_error(law, machine), 0, 0.001);
@@ -69,6 +68,30 @@ TEST(Response, TheLeadTurnsItsSignUnderMzv) {
     EXPECT_NEAR(lead(1, "K1f"), 5.25e-5, 0.05e-5);
     EXPECT_NEAR(lead(0, "K1Mf"), -8.3e-5, 0.2e-5);
     EXPECT_NEAR(lead(1, "K1Mf"), -3.6e-5, 0.1e-5);
+}
+
+// A sine is led by what a bell as wide as the mode is slow lets through, and never by more than the
+// law's acceleration asks for.
+TEST(Response, LeadsThroughABell) {
+    const double step = 0.0005;
+    for (const std::size_t axis : {0U, 1U})
+        for (const double hertz : {3.0, 8.0, 14.0, 30.0}) {
+            const DriveAxis& drive = machine.model.axes[axis];
+            const CommandFilter filter(drive, law_named("K1f"), step);
+            const double omega = 2 * pi * hertz;
+            const double width = 0.5 * omega / (2 * pi * first_mode(drive).frequency);
+            const double led = filter.lead() * omega * omega;
+            for (const double size : {0.001, 100.0}) {
+                std::vector<double> samples, command;
+                for (int i = 0; i < 4000; ++i) samples.push_back(size * std::cos(omega * i * step));
+                filter.filter(samples, command);
+                double most = 0;
+                for (std::size_t i = 0; i < command.size(); ++i)
+                    most = std::max(most, std::abs(command[i] - samples[i + filter.margin()]));
+                const double expected = led * std::exp(-width * width / 2) * size;
+                EXPECT_NEAR(most / std::min(expected, filter.lead() * 1000), 1, 0.02);
+            }
+        }
 }
 
 // Chords force the machine at v/ℓ: worst near a mode, quiet once they are shorter than v/2f.
