@@ -20,7 +20,7 @@ namespace bead {
 struct SmoothTolerances {                                 // mm
     double outer_wall = 0.05, wall = 0.10, infill = 1.0;  // between a corner and what rounds it
     // The radius of travel's turns at its ends: at right angles it leaves the straight way by that.
-    double travel = 2.0;
+    double travel = 4.0;
 };
 
 struct SmoothStages {
