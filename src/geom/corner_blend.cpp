@@ -98,7 +98,7 @@ double peak_curvature(const CornerBlend& blend) {
     const Derivatives d = derivatives_of(blend);
     double low = 0, high = 0.5, peak = 0;
     for (int round = 0; round < 4; ++round) {
-        constexpr int places = 16;
+        constexpr int places = 8;
         const double step = (high - low) / places;
         double best = low;
         for (int i = 0; i <= places; ++i) {

@@ -103,6 +103,16 @@ Nurbs closed_cubic_through(const Polyline& loop) {
 
 // Turned inside out about `here` the circle is a line through the images of the other two points,
 // and its direction is the circle's.
+Cubic cubic_of(const Nurbs& curve, const Polyline& points, std::size_t i) {
+    return {points[i], curve.points[1 + 2 * i], curve.points[2 + 2 * i], points[i + 1]};
+}
+
+Vec2 point_at(const Cubic& c, double t) {
+    const double s = 1 - t;
+    return (s * s * s) * c[0] + (3 * s * s * t) * c[1] + (3 * s * t * t) * c[2] +
+           (t * t * t) * c[3];
+}
+
 Vec2 circle_direction(Vec2 before, Vec2 here, Vec2 after) {
     const Vec2 in = here - before, out = after - here;
     const Vec2 along = in / dot(in, in) + out / dot(out, out);

@@ -3,6 +3,8 @@
 // each chord is counted as the arc that its neighbours suggest, so a circle's points give a circle
 // to the fourth power of their distance.
 #pragma once
+#include <array>
+
 #include "geom/nurbs.h"
 
 namespace bead {
@@ -13,6 +15,12 @@ Nurbs cubic_through(const Polyline& points, Vec2 first, Vec2 last);
 
 // Round a loop of at least three points, of which the first is not repeated.
 Nurbs closed_cubic_through(const Polyline& loop);
+
+// One of the cubics that such a curve is made of, as Bézier's control points: the i-th, between
+// points i and i + 1 (a loop's first point is repeated here).
+using Cubic = std::array<Vec2, 4>;
+Cubic cubic_of(const Nurbs& curve, const Polyline& points, std::size_t i);
+Vec2 point_at(const Cubic& cubic, double part);
 
 // The direction, at `here`, of the circle from `before` through `here` to `after`; and at its
 // first point, of the circle from `here` through two more. Unit vectors.

@@ -21,15 +21,11 @@ Joint joint_at(Vec2 before, Vec2 here, Vec2 after, const RecoveryOptions& option
 
 // Chords are compared with the curve over them, span by span.
 bool stays_near(const Nurbs& curve, const Polyline& points, double tolerance) {
-    std::size_t knot = 3;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        const std::size_t next = i + 2 < points.size() ? knot + 2 : curve.points.size();
-        for (const double part : {0.25, 0.5, 0.75}) {
-            const double u = std::lerp(curve.knots[knot], curve.knots[next], part);
-            const Vec2 p = curve_at(curve, u).point;
-            if (segment_distance(points[i], points[i + 1], p) > tolerance) return false;
-        }
-        knot = next;
+        const Cubic cubic = cubic_of(curve, points, i);
+        for (const double part : {0.25, 0.5, 0.75})
+            if (segment_distance(points[i], points[i + 1], point_at(cubic, part)) > tolerance)
+                return false;
     }
     return true;
 }

@@ -41,7 +41,9 @@ constexpr std::array<Rung, 13> rungs = [] {
     return steps;
 }();
 constexpr double near_enough = 0.02;             // of the points, that may be left over
-constexpr double quietest = 20, loudest = 1000;  // mm/s²
+constexpr double far_off = 0.3;                  // of the points, that more are missing
+constexpr double quietest = 20, loudest = 1000, usual = 100;  // mm/s²
+constexpr double usual_growth = 16;  // share of the points by which they grow with 1 / loudness
 constexpr double corner_frequency = 30;          // Hz: chords of some 0.6 mm, passed at 20 mm/s
 constexpr double most_braked = 6;  // times slower than asked, where two chords of a bend meet
 
@@ -78,24 +80,47 @@ class Budget {
         : strokes_(strokes), options_(options), most_(most) {}
 
     [[nodiscard]] std::vector<ChordedStroke> chorded_strokes() {
-        if (!options_.stages.chords || points_left(rungs[0], quietest) >= 0)
-            return made(rungs[0], quietest, 0);  // which leaves nothing to round
+        if (!options_.stages.chords) return made(rungs[0], quietest, 0);
         std::size_t rung = 0;
-        double spare = points_left(heeded(rung), loudest);
-        while (spare < 0 && rung + 1 < rungs.size()) spare = points_left(heeded(++rung), loudest);
-        double low = quietest, high = loudest;
-        for (int halving = 0; halving < 6; ++halving) {
-            const double middle = std::sqrt(low * high);
-            const double left = points_left(heeded(rung), middle);
-            (left >= 0 ? high : low) = middle;
-            if (left < 0) continue;
-            spare = left;
-            if (left < near_enough * most_) break;
-        }
-        return made(heeded(rung), high, options_.step ? spare : 0);
+        Choice choice = quietest_of(heeded(rung), usual);
+        while (choice.spare < 0 && rung + 1 < rungs.size())
+            choice = quietest_of(heeded(++rung), loudest);
+        return made(heeded(rung), choice.loudness, options_.step ? choice.spare : 0);
     }
 
   private:
+    struct Choice {
+        double loudness, spare;  // mm/s²; points that it leaves, below 0: even this needs too many
+    };
+
+    // By secants in 1 / loudness, with which points grow about evenly, between what leaves some and
+    // what needs too many.
+    [[nodiscard]] Choice quietest_of(const Rung& rung, double first) {
+        Choice best{loudest, -1};
+        double low = 1 / loudest, high = 1 / quietest, next = 1 / first;
+        double last = 0, was = 0, per_point = 1 / (usual_growth * most_);
+        for (int attempt = 0; attempt < 7; ++attempt) {
+            const double left =
+                points_left(rung, 1 / next, next > 1 / loudest ? far_off * most_ : 0);
+            if (attempt > 0) per_point = (next - last) / (was - left);
+            last = next;
+            was = left;
+            if (left >= 0) {
+                best = {1 / next, left};
+                low = next;
+                if (left <= near_enough * most_ || next >= 1 / quietest) break;
+            } else {
+                high = next;
+                if (next <= 1 / loudest) break;
+            }
+            const double margin = 0.1 * (high - low), aimed = near_enough / 2 * most_;
+            next = best.spare < 0 ? 1 / loudest
+                                  : std::clamp(last + (left - aimed) * per_point, low + margin,
+                                               high < 1 / quietest ? high - margin : high);
+        }
+        return best;
+    }
+
     // Firmware brakes between the few chords that a budget has for a rounded corner. Where they do
     // not lie above the modes only what is left rounds some corners, and finely.
     [[nodiscard]] Rung heeded(std::size_t i) const {
@@ -106,14 +131,14 @@ class Budget {
         return rung;
     }
 
-    // Below 0: there are too few.
-    [[nodiscard]] double points_left(const Rung& rung, double loudness) {
+    // Below 0: there are too few. How many are missing is counted as far as `most_missing`.
+    [[nodiscard]] double points_left(const Rung& rung, double loudness, double most_missing = 0) {
         const ChordOptions chords = chord_options(options_, rung, loudness);
         double left = most_ - 1 - static_cast<double>(travel_points(rung.fine_travel));
         for (const LaidStroke& laid : strokes_) {
             left -= static_cast<double>(
                 chord_count(laid.stroke(rung.rounds_walls, rung.rounds_infill), chords));
-            if (left < 0) break;
+            if (left < -most_missing) break;
         }
         return left;
     }

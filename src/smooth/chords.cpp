@@ -12,9 +12,9 @@ constexpr double least_corner = 25 * pi / 180;  // rad, never shifted
 double turn_at(const Polyline& p, std::size_t i) {
     const Vec2 in = p[i] - p[i - 1], out = p[i + 1] - p[i];
     const double across = std::abs(cross(in, out)), ahead = dot(in, out);
-    if (across > 0.05 * ahead) return std::atan2(across, ahead);
-    const double t = across / ahead;
-    return t * (1 - t * t / 3);
+    if (across > 0.25 * ahead) return std::atan2(across, ahead);
+    const double t = across / ahead, square = t * t;
+    return t * (1 - square * (1.0 / 3 - square * (1.0 / 5 - square / 7)));
 }
 
 struct ChordLimits {

@@ -1,14 +1,12 @@
 #include "smooth/dense.h"
 
 #include <algorithm>
-#include <array>
 
+#include "geom/cubic_spline.h"
 #include "geom/curve_recovery.h"
 
 namespace bead {
 namespace {
-
-using Cubic = std::array<Vec2, 4>;  // Bézier's control points
 
 // The chords of m equal parts stray by about |second derivative| / 8 m².
 int parts_of(const Cubic& c, double chord) {
@@ -17,13 +15,6 @@ int parts_of(const Cubic& c, double chord) {
     return std::clamp(static_cast<int>(std::ceil(std::sqrt(bend / (8 * chord)))), 1, 64);
 }
 
-Vec2 on_cubic(const Cubic& c, double t) {
-    const double s = 1 - t;
-    return (s * s * s) * c[0] + (3 * s * s * t) * c[1] + (3 * s * t * t) * c[2] +
-           (t * t * t) * c[3];
-}
-
-// The run's curve has two inner control points for each of its chords.
 void append_run(DenseLine& line, const RecoveredRun& run, const Lane& lane, std::size_t& segment,
                 double chord) {
     for (std::size_t i = 0; i + 1 < run.points.size(); ++i) {
@@ -31,12 +22,11 @@ void append_run(DenseLine& line, const RecoveredRun& run, const Lane& lane, std:
         int parts = 1;
         Cubic cubic{};
         if (run.curve) {
-            const Polyline& inner = run.curve->points;
-            cubic = {run.points[i], inner[1 + 2 * i], inner[2 + 2 * i], run.points[i + 1]};
+            cubic = cubic_of(*run.curve, run.points, i);
             parts = parts_of(cubic, chord);
         }
         for (int k = 1; k < parts; ++k) {
-            line.points.push_back(on_cubic(cubic, static_cast<double>(k) / parts));
+            line.points.push_back(point_at(cubic, static_cast<double>(k) / parts));
             line.flows.push_back(flow);
         }
         line.points.push_back(run.points[i + 1]);

@@ -107,7 +107,7 @@ class Builder {
             lines.push_back({lane.points, lane.closed});
             widest = std::max(widest, width_of(lane));
         }
-        const SegmentGrid grid(lines, 0.9 * widest);
+        const SegmentGrid grid(lines, 0.9 * widest, 2 * widest);
         const InfillSurroundings surroundings{infill_spacing(loops), grid, 0.9 * widest};
         std::vector<InfillRing> rings;
         rings.reserve(loops.size());

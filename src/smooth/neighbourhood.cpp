@@ -8,7 +8,7 @@
 namespace bead {
 namespace {
 
-constexpr int cells_per_reach = 2;
+constexpr int cells_per_reach = 1;
 
 }  // namespace
 

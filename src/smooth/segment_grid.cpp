@@ -36,7 +36,11 @@ SegmentGrid::SegmentGrid(const std::vector<Line>& lines, double reach, double ce
     low_ = box.low;
     columns_ = index_of(size.x, cell_) + 1;
     rows_ = index_of(size.y, cell_) + 1;
+    std::size_t count = 0;
+    for (const Line& line : lines) count += line.points.size();
+    segments_.reserve(count);
     std::vector<CellEntry> entries;
+    entries.reserve(2 * count);
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const std::span<const Vec2> points = lines[i].points;
         const auto number = static_cast<std::uint32_t>(i);
