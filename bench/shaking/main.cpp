@@ -7,6 +7,7 @@
 // of the folder MODELS too). Every table says volume, coverage, time and law.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <string>
@@ -56,20 +57,32 @@ void print_w16() {
     for (const Modes modes : machines) print_tables(ways_of(parts, modes), named_laws, modes, true);
 }
 
-// K0, then the quiet laws with modes taken for something else than they are.
-void print_detuned() {
+// K0, then the quiet laws with modes taken for something else than they are; those of limited jerk
+// also with a ramp of acceleration that lasts a period of the slower mode.
+void print_detuned_on(const std::vector<Part>& parts, Modes modes) {
     std::vector<std::string> names;
     std::vector<NamedLaw> laws{named_laws[0]};
     names.reserve(100);
-    for (const NamedLaw& named : {named_laws[2], named_laws[4], named_laws[6]})
+    const auto add = [&](const TimeLaw& law, std::string_view name) {
         for (const double tuning : {0.8, 0.9, 1.0, 1.1, 1.2}) {
-            NamedLaw law = named;
-            law.law.tuning = tuning;
-            law.name = names.emplace_back(fmt::format("{} x{}", named.name, tuning));
-            laws.push_back(law);
+            NamedLaw row{names.emplace_back(fmt::format("{} x{}", name, tuning)), law};
+            row.law.tuning = tuning;
+            laws.push_back(row);
         }
+    };
+    for (const NamedLaw& named : {named_laws[2], named_laws[4], named_laws[6]}) {
+        add(named.law, named.name);
+        if (named.law.profile != SpeedProfile::jerk_limited) continue;
+        TimeLaw slow = named.law;
+        slow.jerk = slow.acceleration * std::min(modes[0], modes[1]);
+        add(slow, fmt::format("{} J=Af", named.name));
+    }
+    print_tables(ways_of(parts, modes), laws, modes, false);
+}
+
+void print_detuned() {
     const std::vector<Part> parts = engine_block_sections();
-    for (const Modes modes : machines) print_tables(ways_of(parts, modes), laws, modes, false);
+    for (const Modes modes : machines) print_detuned_on(parts, modes);
 }
 
 void print_fast() {

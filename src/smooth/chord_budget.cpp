@@ -40,12 +40,12 @@ constexpr std::array<Rung, 13> rungs = [] {
     step.rounds_infill = false, add();
     return steps;
 }();
-constexpr double near_enough = 0.02;             // of the points, that may be left over
-constexpr double far_off = 0.3;                  // of the points, that more are missing
+constexpr double near_enough = 0.02;  // of the points, that may be left over
+constexpr double far_off = 0.3;       // of the points, that more are missing
 constexpr double quietest = 20, loudest = 1000, usual = 100;  // mm/s²
-constexpr double usual_growth = 16;  // share of the points by which they grow with 1 / loudness
-constexpr double corner_frequency = 30;          // Hz: chords of some 0.6 mm, passed at 20 mm/s
-constexpr double most_braked = 6;  // times slower than asked, where two chords of a bend meet
+constexpr double usual_growth = 16;      // share of the points by which they grow with 1 / loudness
+constexpr double corner_frequency = 30;  // Hz: chords of some 0.6 mm, passed at 20 mm/s
+constexpr double most_braked = 6;        // times slower than asked, where two chords of a bend meet
 
 // The louder chords may be, the more firmware may brake where they meet.
 double braked(double loudness) {

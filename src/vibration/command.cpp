@@ -20,8 +20,7 @@ constexpr double bell = 0.5, bell_behind_shaper = 1.25;
 CommandFilter::Box rest_of(double sigma, std::size_t n) {
     const double pair = (double(n * n) - 1) / 6, rest = (sigma * sigma - pair) / 2;
     const double m = std::floor((std::sqrt(1 + 12 * rest) - 1) / 2), whole = 2 * m + 1;
-    const double ends =
-        whole * (rest - m * (m + 1) / 3) / (2 * ((m + 1) * (m + 1) - rest));
+    const double ends = whole * (rest - m * (m + 1) / 3) / (2 * ((m + 1) * (m + 1) - rest));
     return {std::size_t(m), ends, 1 / (whole + 2 * ends)};
 }
 
