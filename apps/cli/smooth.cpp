@@ -193,7 +193,7 @@ void declare_smooth(CLI::App& command, SmoothCall& options) {
     command.add_option(
         "--travel-tolerance", options.travel,
         "mm that travel may turn off its straight way where it meets a bead at right "
-        "angles: the radius of its turns (default 2)");
+        "angles: the radius of its turns (default 4)");
     command.add_option("--modes", options.modes, "first modes of X and Y, Hz; else the printer's")
         ->delimiter(',')
         ->type_name("14,22");
