@@ -24,6 +24,11 @@ double straight_cost(const StrokeEnd& from, const StrokeEnd& to, double radius) 
     return far + (smooth ? 0 : stop_cost * radius);
 }
 
+// Over short ways wide turns would be most of them.
+double turning_radius(const StrokeEnd& from, const StrokeEnd& to, double most) {
+    return std::clamp(distance(from.at, to.at) / 2.5, most / 4, most);
+}
+
 double angle_of(Vec2 a) { return std::atan2(a.y, a.x); }
 
 double turned_left(Vec2 from, Vec2 to) {
@@ -60,7 +65,8 @@ double word_length(const StrokeEnd& from, const StrokeEnd& to, double radius, do
 
 }  // namespace
 
-double travel_cost(const StrokeEnd& from, const StrokeEnd& to, double radius) {
+double travel_cost(const StrokeEnd& from, const StrokeEnd& to, double widest) {
+    const double radius = turning_radius(from, to, widest);
     double best = straight_cost(from, to, radius);
     for (const double a : {-1.0, 1.0})
         for (const double b : {-1.0, 1.0})
@@ -68,7 +74,8 @@ double travel_cost(const StrokeEnd& from, const StrokeEnd& to, double radius) {
     return best;
 }
 
-TravelLine travel_line(const StrokeEnd& from, const StrokeEnd& to, double radius) {
+TravelLine travel_line(const StrokeEnd& from, const StrokeEnd& to, double widest) {
+    const double radius = turning_radius(from, to, widest);
     const DubinsPath path =
         dubins({from.at, angle_of(from.along)}, {to.at, angle_of(to.along)}, radius);
     if (straight_cost(from, to, radius) < length(path)) return {{from.at, to.at}, true};

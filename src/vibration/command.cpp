@@ -13,7 +13,7 @@ namespace {
 
 // The bell's deviation times the first mode's ω. By itself feed-forward also has to keep the mode
 // from ringing, so that the bell lets 0.88 of it through; behind a shaper only slow lag is left.
-constexpr double bell = 0.5, bell_behind_shaper = 1.25;
+constexpr double bell = 0.5, bell_behind_shaper = 1.2;
 
 // What is left of a deviation of σ, in samples, behind two boxes of n samples each, which deviate
 // by (n² - 1)/12: twice a box of 2 m + 1 samples with a share of those beyond its ends.
