@@ -40,10 +40,11 @@ constexpr std::array<Rung, 13> rungs = [] {
     step.rounds_infill = false, add();
     return steps;
 }();
-constexpr double near_enough = 0.02;  // of the points, that may be left over
-constexpr double far_off = 0.3;       // of the points, that more are missing
-constexpr double quietest = 20, loudest = 1000, usual = 100;  // mm/s²
-constexpr double usual_growth = 16;      // share of the points by which they grow with 1 / loudness
+constexpr double near_enough = 0.02;             // of the points, that may be left over
+constexpr double far_off = 0.3;                  // of the points, that more are missing
+constexpr double quietest = 20, loudest = 1000;  // mm/s²
+constexpr double first_loudness = 100;           // mm/s², that is tried
+constexpr double growth = 16;            // share of the points by which they grow with 1 / loudness
 constexpr double corner_frequency = 30;  // Hz: chords of some 0.6 mm, passed at 20 mm/s
 constexpr double most_braked = 6;        // times slower than asked, where two chords of a bend meet
 
@@ -82,7 +83,7 @@ class Budget {
     [[nodiscard]] std::vector<ChordedStroke> chorded_strokes() {
         if (!options_.stages.chords) return made(rungs[0], quietest, 0);
         std::size_t rung = 0;
-        Choice choice = quietest_of(heeded(rung), usual);
+        Choice choice = quietest_of(heeded(rung), first_loudness);
         while (choice.spare < 0 && rung + 1 < rungs.size())
             choice = quietest_of(heeded(++rung), loudest);
         return made(heeded(rung), choice.loudness, options_.step ? choice.spare : 0);
@@ -98,7 +99,7 @@ class Budget {
     [[nodiscard]] Choice quietest_of(const Rung& rung, double first) {
         Choice best{loudest, -1};
         double low = 1 / loudest, high = 1 / quietest, next = 1 / first;
-        double last = 0, was = 0, per_point = 1 / (usual_growth * most_);
+        double last = 0, was = 0, per_point = 1 / (growth * most_);
         for (int attempt = 0; attempt < 7; ++attempt) {
             const double left =
                 points_left(rung, 1 / next, next > 1 / loudest ? far_off * most_ : 0);

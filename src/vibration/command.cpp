@@ -1,7 +1,6 @@
 #include "vibration/command.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
