@@ -44,6 +44,7 @@ constexpr std::array stages{
     Stage{"curves", &SmoothStages::curves, "do not find curves again in polygons"},
     Stage{"chains", &SmoothStages::chains, "do not wind nested loops into one stroke"},
     Stage{"order", &SmoothStages::order, "keep order and seams"},
+    Stage{"seams", &SmoothStages::seams, "begin walls where the file does"},
     Stage{"blends", &SmoothStages::blends, "keep corners sharp"},
     Stage{"chords", &SmoothStages::chords, "do not choose the lengths of chords"},
 };

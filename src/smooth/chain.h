@@ -3,6 +3,8 @@
 // Nested walls: wall_chain.h. Loops of infill: infill_chain.h.
 // Lines that do not close are strokes by themselves, begun at either end.
 #pragma once
+#include <optional>
+
 #include "smooth/ring.h"
 #include "smooth/travel.h"
 
@@ -28,8 +30,9 @@ struct Chain {
 };
 
 struct ChainOptions {
-    double link = 3;  // mm, of walls; what infill loops leave open at most
-    int seams = 64;   // places along the first loop, each in both directions
+    double link = 3;                // mm, of walls; what infill loops leave open at most
+    int seams = 64;                 // places along the first loop, each in both directions
+    std::optional<Vec2> seam = {};  // the only one of a chain of walls
 };
 
 Chain line_chain(std::size_t lane, Ribbon line, bool reversible);

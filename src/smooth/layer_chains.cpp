@@ -59,11 +59,18 @@ class Builder {
         result_.chains.push_back(std::move(chain));
     }
 
+    [[nodiscard]] ChainOptions options_from(std::size_t lane) const {
+        ChainOptions options = chain_options_;
+        const SmoothStages& stages = options_.stages;
+        if (!stages.order || !stages.seams) options.seam = lanes_[lane].points.front();
+        return options;
+    }
+
     void add_walls() {
         for (std::vector<std::size_t> group : nested_walls(lanes_)) {
             const double first = loop_length(lanes_[group[0]].points);
             if (!options_.stages.chains || first < 4 * options_.link) {
-                for (const std::size_t i : group) add(wall_chain({i}, {ring(i)}, chain_options_));
+                for (const std::size_t i : group) add(wall_chain({i}, {ring(i)}, options_from(i)));
                 continue;
             }
             std::vector<Ring> rings;
@@ -73,7 +80,8 @@ class Builder {
                 const bool other_way = signed_area(lanes_[i].points) * turn < 0;
                 rings.push_back(other_way ? reversed(one) : std::move(one));
             }
-            add(wall_chain(std::move(group), std::move(rings), chain_options_));
+            const ChainOptions options = options_from(group[0]);
+            add(wall_chain(std::move(group), std::move(rings), options));
         }
     }
 
@@ -118,7 +126,7 @@ class Builder {
 
     void add_alone(std::size_t i) {
         const Lane& lane = lanes_[i];
-        if (lane.closed) return add(wall_chain({i}, {ring(i)}, chain_options_));
+        if (lane.closed) return add(wall_chain({i}, {ring(i)}, options_from(i)));
         if (!lane.level) {
             ++result_.kept;
             return add(line_chain(i, {lane.points, lane.flows}, false));

@@ -25,6 +25,7 @@ struct SmoothTolerances {                                 // mm
 
 struct SmoothStages {
     bool clean = true, curves = true, chains = true, order = true, blends = true, chords = true;
+    bool seams = true;  // walls are begun where travel is short; or where they were
     bool bead_plan = false, thinning = false;
 };
 

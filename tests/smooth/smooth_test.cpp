@@ -102,6 +102,28 @@ RC_GTEST_PROP(Smooth, KeepsOuterWallsWithinTolerance, ()) {
         }
 }
 
+// Where a slicer has put a seam it may stay, with loops wound into one or not. Open lines begin at
+// either end.
+RC_GTEST_PROP(Smooth, KeepsSeamsIfAsked, ()) {
+    const Toolpath layer = any_layer();
+    SmoothOptions options;
+    options.stages.seams = *rc::gen::inRange(0, 2) == 0;
+    options.stages.order = options.stages.seams ? false : *rc::gen::inRange(0, 2) == 0;
+    options.stages.chains = *rc::gen::inRange(0, 2) == 0;
+    const Toolpath after = smoothed(layer, options).path;
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        const bool begins = i == 0 || after[i - 1].role == Role::travel;
+        if (after[i].role != Role::outer_wall || !begins) continue;
+        const auto starts_here = [&](const Path& path) {
+            const Vec3 start = after[i].points.front();
+            const auto is_end = [&](Vec3 end) { return length(end - start) < 1e-6; };
+            return path.role == Role::outer_wall &&
+                   (is_end(path.points.front()) || is_end(path.points.back()));
+        };
+        RC_ASSERT(std::ranges::any_of(layer, starts_here));
+    }
+}
+
 // Turns of that radius, on either side of either end, and straight between them; in chords within
 // 0.1.
 RC_GTEST_PROP(Smooth, TravelTurnsWithinItsTolerance, ()) {
