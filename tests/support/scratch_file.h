@@ -1,6 +1,8 @@
-// A text file in the test's temporary folder, gone when it goes out of scope.
+// A text file in the test's temporary folder, gone when it goes out of scope; tests may run at
+// once.
 #pragma once
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -13,8 +15,7 @@ class ScratchFile {
   public:
     ScratchFile(const std::string& name, std::string_view text)
         : path_(std::filesystem::path(testing::TempDir()) /
-                (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + '-' +
-                 name)) {
+                (std::to_string(getpid()) + '-' + name)) {
         std::ofstream(path_, std::ios::binary) << text;
     }
     ScratchFile(const ScratchFile&) = delete;
