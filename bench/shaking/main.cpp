@@ -1,4 +1,4 @@
-// Paths times time laws, before and after smoothing (docs/smoothing.md):
+// Paths times time laws, before and after smoothing (docs/w16.md, docs/vibration.md):
 //
 //     shaking PART [MODELS]
 //

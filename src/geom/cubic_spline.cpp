@@ -101,8 +101,6 @@ Nurbs closed_cubic_through(const Polyline& loop) {
     return joined(part(points, n + 1), part(slope, n + 1), part(lengths, n));
 }
 
-// Turned inside out about `here` the circle is a line through the images of the other two points,
-// and its direction is the circle's.
 Cubic cubic_of(const Nurbs& curve, const Polyline& points, std::size_t i) {
     return {points[i], curve.points[1 + 2 * i], curve.points[2 + 2 * i], points[i + 1]};
 }
@@ -113,6 +111,8 @@ Vec2 point_at(const Cubic& c, double t) {
            (t * t * t) * c[3];
 }
 
+// Turned inside out about `here` the circle is a line through the images of the other two points,
+// and its direction is the circle's.
 Vec2 circle_direction(Vec2 before, Vec2 here, Vec2 after) {
     const Vec2 in = here - before, out = after - here;
     const Vec2 along = in / dot(in, in) + out / dot(out, out);

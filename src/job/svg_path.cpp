@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "core/error.h"
+#include "geom/cubic_spline.h"
 #include "job/one_line.h"
 
 namespace bead {
@@ -95,11 +96,9 @@ void append_arc(Polyline& line, Vec2 to, Vec2 radii, double turn, bool large, bo
 }
 
 void append_cubic(Polyline& line, Vec2 p1, Vec2 p2, Vec2 p3) {
-    const Vec2 p0 = line.back();
-    for (int i = 1; i <= curve_pieces; ++i) {
-        const double t = double(i) / curve_pieces, s = 1 - t;
-        line.push_back(s * s * s * p0 + 3 * s * s * t * p1 + 3 * s * t * t * p2 + t * t * t * p3);
-    }
+    const Cubic cubic{line.back(), p1, p2, p3};
+    for (int i = 1; i <= curve_pieces; ++i)
+        line.push_back(point_at(cubic, double(i) / curve_pieces));
 }
 
 class PathReader {

@@ -133,7 +133,7 @@ class Budget {
     }
 
     // Below 0: there are too few. How many are missing is counted as far as `most_missing`.
-    [[nodiscard]] double points_left(const Rung& rung, double loudness, double most_missing = 0) {
+    [[nodiscard]] double points_left(const Rung& rung, double loudness, double most_missing) {
         const ChordOptions chords = chord_options(options_, rung, loudness);
         double left = most_ - 1 - static_cast<double>(travel_points(rung.fine_travel));
         for (const LaidStroke& laid : strokes_) {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double least_corner = 25 * pi / 180;  // rad, never shifted
 
-// The arc tangent's series where it is right to a millionth: most turns are that small.
+// The arc tangent's series where it is right to two millionths: most turns are that small.
 double turn_at(const Polyline& p, std::size_t i) {
     const Vec2 in = p[i] - p[i - 1], out = p[i + 1] - p[i];
     const double across = std::abs(cross(in, out)), ahead = dot(in, out);

@@ -6,14 +6,8 @@
 #include "core/expects.h"
 
 namespace bead {
-namespace {
-
-constexpr int cells_per_reach = 1;
-
-}  // namespace
-
 Neighbourhood::Neighbourhood(const std::vector<const Polyline*>& loops, double reach)
-    : cell_(reach / cells_per_reach) {
+    : cell_(reach) {
     BEAD_EXPECTS(reach > 0);
     Box2 box;
     for (const Polyline* const loop : loops)
@@ -52,7 +46,7 @@ void Neighbourhood::add(std::uint32_t loop, const Polyline& points,
 
 // What lies within half a cell of this place reaches no farther than this many cells.
 void Neighbourhood::add(std::uint32_t loop, Vec2 point, std::vector<std::uint32_t>& last) {
-    constexpr std::int64_t reach = cells_per_reach + 1;
+    constexpr std::int64_t reach = 2;
     const Vec2 p = point - low_;
     const auto column = static_cast<std::int64_t>(p.x / cell_);
     const auto row = static_cast<std::int64_t>(p.y / cell_);

@@ -141,12 +141,11 @@ std::optional<Cut> cut_of(const RibbonPlaces& line, const CornerRoom& corner, do
     const double k = 1 - distance(straight->points[1], v) / straight->leg;
     const double here = line.at[corner.index];
     double leg = straight->leg;
-    if (leg <= here - line.at[corner.index - 1] && leg <= line.at[corner.index + 1] - here)
-        return Cut{here - leg, here + leg, blend_points(line, here, leg, k),
-                   line.ribbon.flows[corner.index]};
+    const bool legs_are_straight =
+        leg <= here - line.at[corner.index - 1] && leg <= line.at[corner.index + 1] - here;
     for (int attempt = 0; attempt < 12 && leg >= least_leg; ++attempt, leg *= 0.8) {
         Polyline points = blend_points(line, here, leg, k);
-        if (strays(line, corner, leg, points) <= corner.tolerance)
+        if (legs_are_straight || strays(line, corner, leg, points) <= corner.tolerance)
             return Cut{here - leg, here + leg, std::move(points), line.ribbon.flows[corner.index]};
     }
     return std::nullopt;

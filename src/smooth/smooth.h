@@ -20,12 +20,13 @@ namespace bead {
 struct SmoothTolerances {                                 // mm
     double outer_wall = 0.05, wall = 0.10, infill = 1.0;  // between a corner and what rounds it
     // The radius of travel's turns at its ends: at right angles it leaves the straight way by that.
+    // Over short ways it is less (travel.h).
     double travel = 4.0;
 };
 
 struct SmoothStages {
     bool clean = true, curves = true, chains = true, order = true, blends = true, chords = true;
-    bool seams = true;  // walls are begun where travel is short; or where they were
+    bool seams = true;  // loops are begun where travel is short, else where they were
     bool bead_plan = false, thinning = false;
 };
 

@@ -12,14 +12,16 @@ struct StrokeEnd {
     Vec2 at, along;
 };
 
+// `widest`: the radius of turns, mm; over short ways it is less, down to a quarter.
+
 // mm; straight travel counts more than it is long, by `stop_cost` radii.
-double travel_cost(const StrokeEnd& from, const StrokeEnd& to, double radius);
+double travel_cost(const StrokeEnd& from, const StrokeEnd& to, double widest);
 
 // Dense points, both ends included.
 struct TravelLine {
     Polyline points;
     bool straight = false;
 };
-TravelLine travel_line(const StrokeEnd& from, const StrokeEnd& to, double radius);
+TravelLine travel_line(const StrokeEnd& from, const StrokeEnd& to, double widest);
 
 }  // namespace bead

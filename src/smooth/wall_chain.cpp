@@ -60,14 +60,11 @@ Chain wall_chain(std::vector<std::size_t> lanes, std::vector<Ring> rings,
     for (const Ring& ring : chain.rings) chain.link = std::min(chain.link, ring.length / 4);
     for (const bool backward : {false, true}) {
         const Ring& first = backward ? chain.backward[0] : chain.rings[0];
-        if (options.seam) {
-            const double place = nearest_place(first, *options.seam);
+        for (int i = 0; i < (options.seam ? 1 : options.seams); ++i) {
+            const double place = options.seam ? nearest_place(first, *options.seam)
+                                              : first.length * i / options.seams;
             chain.windings.push_back(wall_winding(chain, place, backward));
-            continue;
         }
-        for (int i = 0; i < options.seams; ++i)
-            chain.windings.push_back(
-                wall_winding(chain, first.length * i / options.seams, backward));
     }
     return chain;
 }
